@@ -1,0 +1,30 @@
+# How specplan's own targets are compiled. Nothing here reaches a target of a project that includes or links specplan.
+
+# specplan_warnings(TARGET): the project's warnings, private to TARGET.
+function(specplan_warnings target)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wswitch-enum
+    $<$<BOOL:${SPECPLAN_WERROR}>:-Werror>
+  )
+endfunction()
+
+# specplan_add_directories(DIR...): adds each folder that has a CMakeLists.txt.
+function(specplan_add_directories)
+  foreach(directory IN LISTS ARGN)
+    if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${directory}/CMakeLists.txt")
+      add_subdirectory(${directory})
+    endif()
+  endforeach()
+endfunction()
+
+# A sanitizer has to see every object of a program, so its flags hold for all targets from here down.
+set(SPECPLAN_SANITIZE_FLAGS "")
+if(SPECPLAN_SANITIZE STREQUAL "address")
+  set(SPECPLAN_SANITIZE_FLAGS -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+elseif(SPECPLAN_SANITIZE STREQUAL "thread")
+  set(SPECPLAN_SANITIZE_FLAGS -fsanitize=thread -fno-omit-frame-pointer)
+elseif(SPECPLAN_SANITIZE)
+  message(FATAL_ERROR "SPECPLAN_SANITIZE is \"${SPECPLAN_SANITIZE}\"; it must be empty, address or thread")
+endif()
+add_compile_options(${SPECPLAN_SANITIZE_FLAGS})
+add_link_options(${SPECPLAN_SANITIZE_FLAGS})

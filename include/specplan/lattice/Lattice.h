@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "specplan/lattice/CheckId.h"
+#include "specplan/lattice/Neighbourhood.h"
+#include "specplan/lattice/NodeTable.h"
+
+namespace specplan::lattice
+{
+/// The motions out of one node. Kept by the caller and used again.
+struct Successors
+{
+    struct Edge
+    {
+        NodeId node;               ///< where the motion ends
+        double cost;               ///< cost of the motion, greater than 0
+        std::uint32_t firstInner;  ///< checks of the motion: [firstInner, firstInner + inner) of Successors::inner
+        std::uint32_t inner;       ///< number of checks that have to hold besides the end state's; often 0
+    };
+
+    std::vector<Edge> edges;
+    std::vector<CheckId> inner;
+
+    [[nodiscard]] std::span<const CheckId> innerOf(const Edge& edge) const noexcept
+    {
+        return std::span(inner).subspan(edge.firstInner, edge.inner);
+    }
+};
+
+/// The implicit graph: regular nodes made on demand by a neighbourhood, plus terminals (starts and goals that lie off
+/// the grid) that are connected by hand.
+///
+/// Threads: the search thread owns it. `coordinates` and `motion` may be read by workers for checks handed to them.
+class Lattice
+{
+public:
+    struct Motion
+    {
+        NodeId from;
+        NodeId to;
+    };
+
+    explicit Lattice(std::unique_ptr<const Neighbourhood> neighbourhood);
+
+    [[nodiscard]] std::size_t dimension() const noexcept
+    {
+        return nodes_.dimension();
+    }
+
+    /// Number of nodes touched so far, terminals included.
+    [[nodiscard]] std::size_t size() const noexcept
+    {
+        return nodes_.size();
+    }
+
+    /// The node at these coordinates, which must lie inside the neighbourhood's bounds.
+    NodeId node(const Coordinate* coordinates)
+    {
+        return nodes_.intern(coordinates);
+    }
+
+    /// The node at these coordinates, or kNoNode if it was never touched.
+    [[nodiscard]] NodeId find(const Coordinate* coordinates) const noexcept
+    {
+        return nodes_.find(coordinates);
+    }
+
+    /// A new node off the grid, without motions until `connect` makes some.
+    NodeId addTerminal();
+
+    /// Whether a node was made by addTerminal.
+    [[nodiscard]] bool isTerminal(NodeId node) const noexcept
+    {
+        return *nodes_.coordinates(node).data() < kTerminalEnd;
+    }
+
+    /// Number of a terminal, from 0 in the order of making.
+    [[nodiscard]] std::size_t terminalIndex(NodeId node) const noexcept;
+
+    /// Adds a motion by hand, with a check of its own.
+    void connect(NodeId from, NodeId to, double cost);
+
+    /// For costs that depend on more than the step; without it a step costs what the neighbourhood says.
+    void setMotionCost(std::function<double(NodeId from, NodeId to)> cost)
+    {
+        motionCost_ = std::move(cost);
+    }
+
+    /// Writes all motions out of a node, always in the same order.
+    void successors(NodeId node, Successors& out);
+
+    /// The node that lies from `to` as `to` lies from `from`, if there is such a step.
+    std::optional<NodeId> goOn(NodeId from, NodeId to);
+
+    [[nodiscard]] std::span<const Coordinate> coordinates(NodeId node) const noexcept
+    {
+        return nodes_.coordinates(node);
+    }
+
+    [[nodiscard]] const Motion& motion(MotionId motion) const noexcept
+    {
+        return motions_[motion];
+    }
+
+private:
+    /// First coordinates below this mark terminals.
+    static constexpr Coordinate kTerminalEnd = std::numeric_limits<Coordinate>::min() / 2;
+
+    struct HandMade
+    {
+        NodeId to;
+        double cost;
+        MotionId motion;
+    };
+
+    MotionId motionsOf(NodeId node);
+    MotionId addMotion(NodeId from, NodeId to);
+
+    std::unique_ptr<const Neighbourhood> neighbourhood_;
+    NodeTable nodes_;
+    util::SegmentedRows<Motion> motions_;
+    std::vector<MotionId> firstMotion_;  ///< node -> first of its maxSteps() motions, once it was asked for
+    std::unordered_map<NodeId, std::vector<HandMade>> handMade_;
+    std::function<double(NodeId, NodeId)> motionCost_;
+    std::size_t terminals_ = 0;
+    Steps steps_;  ///< scratch of successors()
+    std::vector<Coordinate> next_;
+};
+}  // namespace specplan::lattice

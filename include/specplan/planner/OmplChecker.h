@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+#include <ompl/base/SpaceInformation.h>
+
+#include "specplan/planner/RealVectorEmbedding.h"
+#include "specplan/planner/SpeculativeAStar.h"
+#include "specplan/validity/Checker.h"
+
+namespace specplan::planner
+{
+/// Answers checks through OMPL's state validity checkers and motion validators.
+///
+/// OMPL's DiscreteMotionValidator counts its calls in plain integers, which is a data race when two threads use it. It is
+/// replaced by the same test: both ends, then the inner states of StateSpace::validSegmentCount(). Any other motion validator is
+/// called as it is: each worker's own if there is one, otherwise the shared one by one thread at a time.
+///
+/// A fresh state is made for each check: no two threads hold the same one, and checkers that keep notes in a state (as MoveIt's
+/// does) never find an old one.
+///
+/// Threads: `open` by the search thread while nothing runs; `check` by workers, each with its own number.
+class OmplChecker : public validity::Checker
+{
+public:
+    /// What to check with.
+    struct Sources
+    {
+        std::vector<ompl::base::StateValidityCheckerPtr> checkers;   ///< one for each worker, or one for all
+        std::vector<ompl::base::MotionValidatorPtr> motionValidators;  ///< one for each worker, or one for all
+    };
+
+    explicit OmplChecker(const ompl::base::SpaceInformation& si, unsigned workers);
+
+    /// Checks for this lattice from now on; all of it must outlive the checks.
+    void open(const lattice::Lattice& lattice, const RealVectorEmbedding& embedding, Sources sources);
+
+    bool check(validity::CheckId check, unsigned worker) override;
+
+    /// States that the last check of a worker looked at; 0 for a motion without inner states.
+    [[nodiscard]] std::uint32_t statesOfLastCheck(unsigned worker) const noexcept
+    {
+        return scratch_[worker].states;
+    }
+
+    /// Whether motions are tested by discretisation, so that a motion of one segment needs no check besides its ends.
+    [[nodiscard]] bool isDiscrete() const noexcept
+    {
+        return discrete_;
+    }
+
+private:
+    /// One worker's own; on a cache line of its own.
+    struct alignas(64) Scratch
+    {
+        std::uint32_t states = 0;
+    };
+
+    [[nodiscard]] bool checkState(lattice::NodeId node, unsigned worker);
+    [[nodiscard]] bool checkMotion(const lattice::Lattice::Motion& motion, unsigned worker);
+    [[nodiscard]] bool checkInside(const ompl::base::State* from, const ompl::base::State* to, unsigned worker);
+    [[nodiscard]] const ompl::base::StateValidityChecker& checkerOf(unsigned worker) const noexcept;
+
+    const ompl::base::SpaceInformation& si_;
+    const lattice::Lattice* lattice_ = nullptr;
+    const RealVectorEmbedding* embedding_ = nullptr;
+    Sources sources_;
+    bool discrete_ = true;
+    std::mutex sharedValidator_;  ///< held while the shared motion validator runs
+    std::vector<Scratch> scratch_;
+};
+
+/// Whether a motion validator is exactly OMPL's discrete one.
+[[nodiscard]] bool isDiscreteMotionValidator(const ompl::base::MotionValidator& validator);
+}  // namespace specplan::planner

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// C++17-clean: part of the planner's public face.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace specplan
+{
+/// Every knob of SpeculativeAStar with its default. The names in parentheses are the OMPL parameters.
+struct PlannerSettings
+{
+    /// How many checks may run at once (`num_threads`), 0 to 4096; 0 stands for the number of cores. 1 is sequential A*:
+    /// no thread is started.
+    unsigned numThreads = 0;
+
+    /// What to check ahead (`speculation_policy`): "none" or "direction".
+    std::string speculationPolicy = "direction";
+
+    /// Steps that the direction policy looks ahead (`lookahead`), 1 to 1000.
+    unsigned lookahead = 4;
+
+    /// Whether every wait lasts until all running checks are back, as in the paper (`barrier`). For reproduction only.
+    bool barrier = false;
+
+    /// Weight of the heuristic (`weight`), 1 to 1e9: the cost is at most this many times the lattice optimum.
+    double weight = 1.0;
+
+    /// Lattice spacing as a fraction of the extent of each axis (`resolution`), 1e-6 to 1; 0 chooses by dimension.
+    double resolution = 0.0;
+
+    /// Lattice spacing in the units of the axes (`spacing`: numbers separated by commas, one for all axes or one for each),
+    /// greater than 0. Empty: `resolution` decides.
+    std::vector<double> spacing;
+
+    /// How many axes may change in one step (`connectivity`), 1 to the dimension; 0 chooses: all up to three dimensions, two
+    /// above.
+    unsigned connectivity = 0;
+
+    /// Whether a step along several axes may pass an invalid corner (`corner_cutting`). If not, the states at all corners of
+    /// the box that the step spans have to be valid.
+    bool cornerCutting = true;
+
+    /// Who runs the checks (`executor`): "threads", or "virtual" for simulated time.
+    std::string executor = "threads";
+
+    /// Duration of the check of one state on the virtual clock (`virtual_check_cost`), seconds, 0 to 1e6.
+    double virtualCheckCost = 1e-3;
+
+    /// Whether an exception of a check leaves solve() (`rethrow_exceptions`); otherwise solve() returns CRASH.
+    bool rethrowExceptions = false;
+};
+}  // namespace specplan

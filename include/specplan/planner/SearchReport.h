@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// C++17-clean: part of the planner's public face.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace specplan
+{
+/// What the last solve() did, and what it cost. Counts and times add up over the calls of solve() that continue one query.
+struct SearchReport
+{
+    /// "not started", "solved", "infeasible", "timeout", "invalid start", "invalid goal", "unrecognized goal", "crash".
+    std::string status = "not started";
+    std::string error;  ///< what the failing check said, if status is "crash"
+
+    double cost = 0.0;                      ///< of the solution; NaN without one
+    std::uint64_t expansions = 0;           ///< the goal's own included
+    std::uint64_t checksUsed = 0;           ///< different checks whose verdict the search needed
+    std::uint64_t checksTotal = 0;          ///< checks run
+    std::uint64_t demandedChecks = 0;       ///< of these, run because the search asked
+    std::uint64_t speculativeChecks = 0;    ///< handed out ahead of demand
+    std::uint64_t speculativeUsed = 0;      ///< of these, used later
+    std::uint64_t speculativeDropped = 0;   ///< of these, taken back before they started
+    std::uint64_t speculativeFailures = 0;  ///< checks that threw and were not needed
+    std::uint64_t usedReady = 0;            ///< used verdicts that were there when first asked for
+    std::uint64_t usedAfterWait = 0;        ///< used verdicts that the search waited for
+    std::uint64_t usedInline = 0;           ///< used verdicts from checks in the search thread
+    double accuracy = 1.0;                  ///< speculative checks used / run
+    double coverage = 0.0;                  ///< used verdicts that came from speculation / all used verdicts
+    double timeliness = 1.0;                ///< speculative verdicts ready when first demanded / used
+
+    double wallTime = 0.0;        ///< seconds in solve()
+    double searchTime = 0.0;      ///< seconds of the search's own work
+    double waitTime = 0.0;        ///< seconds in which the search stood still for checks
+    double virtualTime = 0.0;     ///< seconds on the virtual clock; 0 with real threads
+    double sequentialTime = 0.0;  ///< seconds that sequential A* takes: its checks one after the other, plus the search's work
+    double speedup = 1.0;         ///< sequentialTime / time taken, on the clock of the executor
+    double efficiency = 1.0;      ///< speedup / threads
+
+    unsigned threads = 1;          ///< how many checks could run at once
+    std::uint64_t orderHash = 0;   ///< hash of the sequence of expansions: equal for equal sequences
+    std::uint64_t nodes = 0;       ///< lattice nodes touched
+};
+}  // namespace specplan

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <exception>
+#include <functional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "specplan/validity/CheckSource.h"
+#include "specplan/validity/CheckStatistics.h"
+#include "specplan/validity/Executor.h"
+#include "specplan/validity/VerdictTable.h"
+
+namespace specplan::validity
+{
+/// Stands between a search and the checks: knows every verdict, runs what is missing, and never runs a check twice.
+///
+/// Threads: search thread only; the executor is the one place where threads meet.
+class Broker
+{
+public:
+    /// \param executor must outlive the broker.
+    explicit Broker(Executor& executor) : executor_(executor)
+    {
+    }
+
+    /// Where to get checks that run ahead while the search waits; nullptr for none.
+    void setSource(CheckSource* source) noexcept
+    {
+        source_ = source;
+    }
+
+    /// If true, every wait lasts until all checks are back, speculative ones too (the paper's barrier).
+    void setBarrier(bool barrier) noexcept
+    {
+        barrier_ = barrier;
+    }
+
+    /// Asked now and then during long waits; once it returns true, `demand` gives up. Empty for never.
+    void setInterrupt(std::function<bool()> interrupt)
+    {
+        interrupt_ = std::move(interrupt);
+    }
+
+    /// Makes all these verdicts known. Checks that are missing run at the same time where the executor has workers.
+    /// \return false if interrupted; the call may be repeated later and loses nothing.
+    /// \throws what the first of these checks, in the order given, threw. Asking again runs that check again.
+    [[nodiscard]] bool demand(std::span<const CheckId> checks);
+
+    /// Hands a check out ahead of demand.
+    /// \return false if it is known, in flight, failed, or the executor runs inline.
+    bool prefetch(CheckId check);
+
+    [[nodiscard]] Verdict verdict(CheckId check) const noexcept
+    {
+        return table_.verdict(check);
+    }
+
+    /// Whether the search has asked for this verdict and got it.
+    [[nodiscard]] bool isUsed(CheckId check) const noexcept
+    {
+        return table_.isUsed(check);
+    }
+
+    /// Enters a verdict that is known from elsewhere.
+    void setVerdict(CheckId check, bool valid);
+
+    /// Drops what has not started and waits until nothing runs.
+    void settle();
+
+    [[nodiscard]] const CheckStatistics& statistics() const noexcept
+    {
+        return statistics_;
+    }
+
+    [[nodiscard]] double now() const noexcept
+    {
+        return executor_.now();
+    }
+
+private:
+    using Entry = VerdictTable::Entry;
+
+    [[nodiscard]] bool demandMissing(std::span<const CheckId> checks);
+    [[nodiscard]] bool runInline();
+    [[nodiscard]] bool waitForMissing();
+    void submitMissing();
+    void askSource();
+    void collect(std::chrono::milliseconds patience);
+    void record(Completion& completion);
+    void noteUse(Entry& entry);
+    [[noreturn]] void rethrow(CheckId check, Entry& entry);
+
+    Executor& executor_;
+    CheckSource* source_ = nullptr;
+    bool barrier_ = false;
+    std::function<bool()> interrupt_;
+    VerdictTable table_;
+    std::unordered_map<std::uint32_t, std::exception_ptr> errors_[2];  ///< of states, of motions
+    std::vector<CheckId> missing_;                                     ///< asked for and not known, in order
+    std::size_t awaited_ = 0;                                          ///< entries marked awaited
+    std::vector<CheckId> proposals_;
+    std::vector<CheckId> dropped_;
+    std::vector<Completion> completions_;
+    CheckStatistics statistics_;
+};
+}  // namespace specplan::validity

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "specplan/lattice/CheckId.h"
+
+namespace specplan::validity
+{
+/// Where the broker asks for checks to run ahead of demand. Implemented by the speculation policies.
+class CheckSource
+{
+public:
+    virtual ~CheckSource() = default;
+
+    /// Appends up to `count` checks that the search is likely to need, most wanted first. Asked only while the search has to
+    /// wait and workers are free.
+    virtual void propose(std::size_t count, std::vector<lattice::CheckId>& out) = 0;
+};
+}  // namespace specplan::validity

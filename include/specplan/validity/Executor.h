@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <exception>
+#include <vector>
+
+#include "specplan/validity/Checker.h"
+
+namespace specplan::validity
+{
+/// A check that has been run.
+struct Completion
+{
+    CheckId check;
+    bool valid = false;
+    double seconds = 0.0;      ///< duration of the check, in the executor's time
+    std::exception_ptr error;  ///< what the check threw; `valid` means nothing then
+};
+
+enum class Urgency
+{
+    Speculative,
+    Demanded  ///< starts before every speculative check that has not started
+};
+
+/// Runs checks: in the calling thread, in a pool, or on a virtual clock.
+///
+/// Threads: every member is for the search thread, which also is the one that receives the completions.
+class Executor
+{
+public:
+    virtual ~Executor() = default;
+
+    /// How many checks may run at once, at least 1.
+    [[nodiscard]] virtual unsigned workers() const noexcept = 0;
+
+    /// Whether `submit` runs the check before it returns, so that it makes no sense to submit ahead of need.
+    [[nodiscard]] virtual bool runsInline() const noexcept = 0;
+
+    /// Workers that would start a check at once.
+    [[nodiscard]] virtual unsigned freeWorkers() const noexcept = 0;
+
+    /// Whether checks are queued, running, or finished and not collected.
+    [[nodiscard]] virtual bool busy() const noexcept = 0;
+
+    /// Hands over a check. Each check may be in hand once at a time.
+    virtual void submit(CheckId check, Urgency urgency) = 0;
+
+    /// Makes a submitted speculative check a demanded one; without effect if it has started.
+    virtual void promote(CheckId check) = 0;
+
+    /// Appends what has finished since the last call, in order of finishing.
+    /// \param patience how long to wait for the first completion; 0 does not wait. Nothing to wait for: returns at once.
+    virtual void collect(std::vector<Completion>& out, std::chrono::milliseconds patience) = 0;
+
+    /// Takes back the checks that have not started, and appends them to `dropped`.
+    virtual void cancelQueued(std::vector<CheckId>& dropped) = 0;
+
+    /// Seconds on the executor's clock: real time, or virtual time.
+    [[nodiscard]] virtual double now() const noexcept = 0;
+};
+}  // namespace specplan::validity

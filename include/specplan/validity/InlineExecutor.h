@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "specplan/validity/Executor.h"
+
+namespace specplan::validity
+{
+/// Runs each check in the calling thread: sequential A*. No thread, no lock.
+class InlineExecutor : public Executor
+{
+public:
+    /// \param checker must outlive the executor.
+    explicit InlineExecutor(Checker& checker) : checker_(checker)
+    {
+    }
+
+    [[nodiscard]] unsigned workers() const noexcept override
+    {
+        return 1;
+    }
+
+    [[nodiscard]] bool runsInline() const noexcept override
+    {
+        return true;
+    }
+
+    [[nodiscard]] unsigned freeWorkers() const noexcept override
+    {
+        return 1;
+    }
+
+    [[nodiscard]] bool busy() const noexcept override
+    {
+        return !finished_.empty();
+    }
+
+    void submit(CheckId check, Urgency urgency) override;
+
+    void promote(CheckId) override
+    {
+    }
+
+    void collect(std::vector<Completion>& out, std::chrono::milliseconds patience) override;
+
+    void cancelQueued(std::vector<CheckId>&) override
+    {
+    }
+
+    [[nodiscard]] double now() const noexcept override;
+
+private:
+    Checker& checker_;
+    std::vector<Completion> finished_;
+};
+}  // namespace specplan::validity

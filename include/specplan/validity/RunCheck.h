@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "specplan/validity/Executor.h"
+
+namespace specplan::validity
+{
+/// Seconds on the steady clock.
+[[nodiscard]] double steadySeconds() noexcept;
+
+/// Runs one check, measures it, and catches what it throws.
+[[nodiscard]] Completion runCheck(Checker& checker, CheckId check, unsigned worker) noexcept;
+}  // namespace specplan::validity

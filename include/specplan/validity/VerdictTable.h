@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "specplan/lattice/CheckId.h"
+#include "specplan/util/SegmentedRows.h"
+#include "specplan/validity/Verdict.h"
+
+namespace specplan::validity
+{
+/// What is known of every check, states and motions in tables of their own so that neither can stand for the other.
+///
+/// Threads: search thread only. Workers report through the executor.
+class VerdictTable
+{
+public:
+    struct Entry
+    {
+        Verdict verdict = Verdict::Unknown;
+        bool speculative = false;  ///< was run ahead of demand
+        bool used = false;         ///< the search has asked for it
+        bool awaited = false;      ///< the search is waiting for it right now
+        bool failed = false;       ///< the check threw; the verdict stays Unknown
+        float seconds = 0.0F;      ///< duration of the check
+    };
+
+    /// The entry of a check, made on first touch.
+    [[nodiscard]] Entry& operator[](lattice::CheckId check)
+    {
+        auto& table = check.isMotion() ? motions_ : states_;
+        const std::size_t index = check.isMotion() ? check.motion() : check.node();
+        if (index >= table.size())
+            table.growTo(index + 1);
+        return table[index];
+    }
+
+    [[nodiscard]] Verdict verdict(lattice::CheckId check) const noexcept
+    {
+        const Entry* entry = find(check);
+        return entry != nullptr ? entry->verdict : Verdict::Unknown;
+    }
+
+    [[nodiscard]] bool isUsed(lattice::CheckId check) const noexcept
+    {
+        const Entry* entry = find(check);
+        return entry != nullptr && entry->used;
+    }
+
+private:
+    [[nodiscard]] const Entry* find(lattice::CheckId check) const noexcept
+    {
+        const auto& table = check.isMotion() ? motions_ : states_;
+        const std::size_t index = check.isMotion() ? check.motion() : check.node();
+        return index < table.size() ? &table[index] : nullptr;
+    }
+
+    util::SegmentedRows<Entry> states_;
+    util::SegmentedRows<Entry> motions_;
+};
+}  // namespace specplan::validity

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "specplan/planner/SpeculativeAStar.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <ompl/base/PlannerData.h>
+#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/util/Exception.h>
+
+#include "specplan/planner/PlannerParameters.h"
+#include "specplan/planner/PlannerSession.h"
+#include "specplan/validity/RunCheck.h"
+
+namespace specplan
+{
+namespace ob = ompl::base;
+
+SpeculativeAStar::SpeculativeAStar(const ob::SpaceInformationPtr& si) : SpeculativeAStar(si, PlannerSettings())
+{
+}
+
+SpeculativeAStar::SpeculativeAStar(const ob::SpaceInformationPtr& si, const PlannerSettings& settings)
+  : ob::Planner(si, "SpeculativeAStar"), session_(std::make_unique<planner::PlannerSession>(si))
+{
+    specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
+    specs_.multithreaded = true;
+    specs_.approximateSolutions = true;
+    specs_.optimizingPaths = true;
+    specs_.directed = true;
+    specs_.provingSolutionNonExistence = true;
+    specs_.canReportIntermediateSolutions = true;
+    setSettings(settings);
+    planner::declareParameters(
+        params_, [this] { return session_->settings; }, [this](const PlannerSettings& changed) { setSettings(changed); });
+
+    const auto count = [](const std::atomic<std::uint64_t>& counter)
+    { return [&counter] { return std::to_string(counter.load(std::memory_order_relaxed)); }; };
+    addPlannerProgressProperty("expansions INTEGER", count(session_->live.expansions));
+    addPlannerProgressProperty("checks used INTEGER", count(session_->live.checksUsed));
+    addPlannerProgressProperty("speculative checks INTEGER", count(session_->live.speculativeChecks));
+    addPlannerProgressProperty("best cost REAL", [this] { return std::to_string(session_->live.bestCost.load()); });
+}
+
+SpeculativeAStar::~SpeculativeAStar() = default;
+
+void SpeculativeAStar::checkValidity()
+{
+    ob::Planner::checkValidity();
+    const auto* space = dynamic_cast<const ob::RealVectorStateSpace*>(si_->getStateSpace().get());
+    if (space == nullptr)
+        throw ompl::Exception(getName() + ": the state space '" + si_->getStateSpace()->getName() +
+                              "' is not a RealVectorStateSpace");
+    space->getBounds().check();
+}
+
+void SpeculativeAStar::setup()
+{
+    ob::Planner::setup();
+}
+
+void SpeculativeAStar::clear()
+{
+    ob::Planner::clear();
+    session_->reset();
+}
+
+void SpeculativeAStar::clearQuery()
+{
+    pis_.clear();
+    pis_.update();
+    session_->reset();
+}
+
+ob::PlannerStatus SpeculativeAStar::solve(const ob::PlannerTerminationCondition& ptc)
+{
+    checkValidity();
+    const double start = validity::steadySeconds();
+    ob::PlannerStatus status;
+    try
+    {
+        const auto refused = session_->openQuery(pis_, *pdef_, ptc);
+        status = refused ? *refused : session_->publish(session_->search(ptc), *this);
+    }
+    catch (const std::exception& error)
+    {
+        status = session_->crash(error.what(), getName());
+        if (session_->settings.rethrowExceptions)
+            throw;
+    }
+    catch (...)
+    {
+        status = session_->crash("a check threw something that is not a std::exception", getName());
+        if (session_->settings.rethrowExceptions)
+            throw;
+    }
+    session_->report.wallTime += validity::steadySeconds() - start;
+    if (session_->query)
+        session_->fillReport();
+    return status;
+}
+
+void SpeculativeAStar::getPlannerData(ob::PlannerData& data) const
+{
+    ob::Planner::getPlannerData(data);
+    if (!session_->query)
+        return;
+    const planner::LatticeQuery& query = *session_->query;
+    const auto vertex = [this, &query](lattice::NodeId node)
+    {
+        auto found = session_->dataStates.find(node);
+        if (found == session_->dataStates.end())
+            found = session_->dataStates.emplace(node, query.stateOf(node)).first;
+        return ob::PlannerDataVertex(found->second.get());
+    };
+    for (const lattice::NodeId start : query.starts())
+        data.addStartVertex(vertex(start));
+    for (const lattice::NodeId goal : query.goals())
+        data.addGoalVertex(vertex(goal));
+    for (lattice::NodeId node = 0; node < query.lattice().size(); ++node)
+    {
+        if (!std::isfinite(query.search().costToCome(node)))
+            continue;
+        const lattice::NodeId parent = query.search().parent(node);
+        if (parent == lattice::kNoNode)
+            continue;
+        const double cost = query.search().costToCome(node) - query.search().costToCome(parent);
+        data.addEdge(vertex(parent), vertex(node), ob::PlannerDataEdge(), ob::Cost(cost));
+    }
+}
+
+const PlannerSettings& SpeculativeAStar::getSettings() const
+{
+    return session_->settings;
+}
+
+void SpeculativeAStar::setSettings(const PlannerSettings& settings)
+{
+    planner::validate(settings);
+    session_->settings = settings;
+}
+
+void SpeculativeAStar::setStateValidityCheckerAllocator(StateValidityCheckerAllocator allocator)
+{
+    session_->checkerAllocator = std::move(allocator);
+    session_->sourcesChanged = true;
+}
+
+void SpeculativeAStar::setMotionValidatorAllocator(MotionValidatorAllocator allocator)
+{
+    session_->motionValidatorAllocator = std::move(allocator);
+    session_->sourcesChanged = true;
+}
+
+const SearchReport& SpeculativeAStar::getReport() const
+{
+    return session_->report;
+}
+
+void SpeculativeAStar::visitStates(const std::function<void(const ob::State*, StateFate)>& visit) const
+{
+    if (!session_->query)
+        return;
+    const planner::LatticeQuery& query = *session_->query;
+    for (lattice::NodeId node = 0; node < query.lattice().size(); ++node)
+    {
+        const validity::Verdict verdict = query.broker().verdict(validity::CheckId::ofState(node));
+        std::optional<StateFate> fate;
+        if (query.search().isExpanded(node))
+            fate = StateFate::Expanded;
+        else if (std::isfinite(query.search().costToCome(node)))
+            fate = StateFate::Open;
+        else if (validity::isKnown(verdict))
+            fate = query.broker().isUsed(validity::CheckId::ofState(node)) ? StateFate::Invalid : StateFate::CheckedUnused;
+        if (fate)
+            visit(query.stateOf(node).get(), *fate);
+    }
+}
+
+void SpeculativeAStar::setExpansionObserver(std::function<void(const ob::State*)> observer)
+{
+    session_->observer = std::move(observer);
+}
+}  // namespace specplan

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "specplan/validity/RunCheck.h"
+
+namespace specplan::validity
+{
+double steadySeconds() noexcept
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Completion runCheck(Checker& checker, CheckId check, unsigned worker) noexcept
+{
+    Completion completion;
+    completion.check = check;
+    const double start = steadySeconds();
+    try
+    {
+        completion.valid = checker.check(check, worker);
+    }
+    catch (...)
+    {
+        completion.error = std::current_exception();
+    }
+    completion.seconds = steadySeconds() - start;
+    return completion;
+}
+}  // namespace specplan::validity
