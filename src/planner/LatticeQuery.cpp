@@ -42,6 +42,7 @@ LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjec
     if (!executor.runsInline() && settings.speculationPolicy == "direction")
         policy_ = std::make_unique<speculation::DirectionPolicy>(lattice_, broker_, settings.lookahead);
     broker_.setSource(policy_.get());
+    beginSearch();
 }
 
 std::unique_ptr<lattice::GridNeighbourhood> LatticeQuery::makeNeighbourhood(bool discreteMotions) const

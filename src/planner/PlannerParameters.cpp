@@ -19,10 +19,14 @@ constexpr unsigned kMaxConnectivity = 1000;
 constexpr double kMaxWeight = 1e9;
 constexpr double kMinResolution = 1e-6;
 constexpr double kMaxVirtualCost = 1e6;
+constexpr double kMaxSpacing = 1e12;
+constexpr const char* kSpacingExpected = "numbers greater than 0 and up to 1e12, separated by commas";
 
 [[noreturn]] void refuse(const std::string& name, const std::string& expected, const std::string& given)
 {
-    throw std::invalid_argument(name + " must be " + expected + ", not '" + given + "'");
+    std::ostringstream message;
+    message << name << " must be " << expected << ", not '" << given << "'";
+    throw std::invalid_argument(message.str());
 }
 
 std::string text(double value)
@@ -76,7 +80,7 @@ std::vector<double> parseSpacing(const std::string& value)
     std::vector<double> spacing;
     std::istringstream in(value);
     for (std::string part; std::getline(in, part, ',');)
-        spacing.push_back(parseDouble("spacing", part, "numbers greater than 0, separated by commas"));
+        spacing.push_back(parseDouble("spacing", part, kSpacingExpected));
     return spacing;
 }
 
@@ -176,8 +180,8 @@ void validate(const PlannerSettings& settings)
     requireRange("weight", settings.weight, 1, kMaxWeight, false);
     requireRange("resolution", settings.resolution, kMinResolution, 1, true);
     for (const double spacing : settings.spacing)
-        if (!(spacing > 0.0) || !std::isfinite(spacing))
-            refuse("spacing", "numbers greater than 0, separated by commas", text(spacing));
+        if (!(spacing > 0.0 && spacing <= kMaxSpacing))
+            refuse("spacing", kSpacingExpected, text(spacing));
     requireRange("connectivity", settings.connectivity, 1, kMaxConnectivity, true);
     if (settings.executor != "threads" && settings.executor != "virtual")
         refuse("executor", "threads or virtual", settings.executor);

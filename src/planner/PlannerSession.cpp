@@ -173,6 +173,8 @@ std::optional<ob::PlannerStatus> PlannerSession::openQuery(ob::PlannerInputState
         return refuse(ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE, "unrecognized goal");
     }
     ensureExecutor();
+    if (!query)
+        inputs.restart();  // an earlier call may have taken starts and failed
     bool changed = takeStarts(inputs, pdef);
     if (!query)
     {

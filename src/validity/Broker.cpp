@@ -11,11 +11,6 @@ namespace
 {
 /// How long a wait may last before the interrupt is asked again.
 constexpr std::chrono::milliseconds kPatience{50};
-
-std::uint32_t indexOf(CheckId check) noexcept
-{
-    return check.isMotion() ? check.motion() : check.node();
-}
 }  // namespace
 
 bool Broker::demand(std::span<const CheckId> checks)
@@ -44,8 +39,8 @@ bool Broker::demandMissing(std::span<const CheckId> checks)
     if (!done)
         return false;
     for (const CheckId check : checks)
-        if (Entry& entry = table_[check]; entry.failed)
-            rethrow(check, entry);
+        if (table_[check].failed)
+            rethrow(check);
     return true;
 }
 
@@ -173,7 +168,7 @@ void Broker::record(Completion& completion)
     {
         entry.verdict = Verdict::Unknown;
         entry.failed = true;
-        errors_[check.isMotion() ? 1 : 0][indexOf(check)] = std::move(completion.error);
+        errors_[check] = std::move(completion.error);
         ++statistics_.failuresForgotten;
     }
     else
@@ -197,13 +192,9 @@ void Broker::noteUse(Entry& entry)
     statistics_.usedSeconds += static_cast<double>(entry.seconds);
 }
 
-void Broker::rethrow(CheckId check, Entry& entry)
+void Broker::rethrow(CheckId check)
 {
-    auto& errors = errors_[check.isMotion() ? 1 : 0];
-    const auto found = errors.find(indexOf(check));
-    const std::exception_ptr error = found->second;
-    errors.erase(found);
-    entry = Entry{};
+    const std::exception_ptr error = errors_.at(check);
     --statistics_.failuresForgotten;
     std::rethrow_exception(error);
 }
@@ -227,5 +218,9 @@ void Broker::settle()
     }
     while (executor_.busy())
         collect(kPatience);
+    // A failure is remembered no longer than this: whoever asks again wants the check to be tried again.
+    for (const auto& [check, error] : errors_)
+        table_[check] = Entry{};
+    errors_.clear();
 }
 }  // namespace specplan::validity

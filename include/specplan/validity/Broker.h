@@ -3,8 +3,8 @@
 
 #include <exception>
 #include <functional>
+#include <map>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "specplan/validity/CheckSource.h"
@@ -45,7 +45,8 @@ public:
 
     /// Makes all these verdicts known. Checks that are missing run at the same time where the executor has workers.
     /// \return false if interrupted; the call may be repeated later and loses nothing.
-    /// \throws what the first of these checks, in the order given, threw. Asking again runs that check again.
+    /// \throws what the first of these checks, in the order given, threw. After `settle` asking again runs that
+    /// check again.
     [[nodiscard]] bool demand(std::span<const CheckId> checks);
 
     /// Hands a check out ahead of demand.
@@ -66,7 +67,7 @@ public:
     /// Enters a verdict that is known from elsewhere.
     void setVerdict(CheckId check, bool valid);
 
-    /// Drops what has not started and waits until nothing runs.
+    /// Drops what has not started, waits until nothing runs, and forgets failures.
     void settle();
 
     [[nodiscard]] const CheckStatistics& statistics() const noexcept
@@ -90,16 +91,16 @@ private:
     void collect(std::chrono::milliseconds patience);
     void record(Completion& completion);
     void noteUse(Entry& entry);
-    [[noreturn]] void rethrow(CheckId check, Entry& entry);
+    [[noreturn]] void rethrow(CheckId check);
 
     Executor& executor_;
     CheckSource* source_ = nullptr;
     bool barrier_ = false;
     std::function<bool()> interrupt_;
     VerdictTable table_;
-    std::unordered_map<std::uint32_t, std::exception_ptr> errors_[2];  ///< of states, of motions
-    std::vector<CheckId> missing_;                                     ///< asked for and not known, in order
-    std::size_t awaited_ = 0;                                          ///< entries marked awaited
+    std::map<CheckId, std::exception_ptr> errors_;  ///< of the entries marked failed
+    std::vector<CheckId> missing_;                  ///< asked for and not known, in order
+    std::size_t awaited_ = 0;                       ///< entries marked awaited
     std::vector<CheckId> proposals_;
     std::vector<CheckId> dropped_;
     std::vector<Completion> completions_;

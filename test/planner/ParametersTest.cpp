@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include <ompl/util/Exception.h>
+
+#include "Scene.h"
+
+namespace specplan::test
+{
+namespace
+{
+TEST(Parameters, BadValuesAreRefusedAndTheOldOneStays)
+{
+    Scene scene;
+    SpeculativeAStar planner(scene.setup.getSpaceInformation());
+    auto& params = planner.params();
+    for (const char* name : {"num_threads", "lookahead", "weight", "resolution", "connectivity", "virtual_check_cost",
+                             "barrier", "corner_cutting", "rethrow_exceptions", "speculation_policy", "executor", "spacing"})
+        for (const char* bad : {"-1", "nan", "inf", "7.9x", "maybe", "99999999999999999999", " 1"})
+        {
+            const std::string before = params[name].getValue();
+            EXPECT_FALSE(params.setParam(name, bad)) << name << " = '" << bad << "'";
+            EXPECT_EQ(params[name].getValue(), before);
+        }
+    EXPECT_FALSE(params.setParam("num_threads", "7.9"));
+    EXPECT_FALSE(params.setParam("num_threads", "5000"));
+    EXPECT_FALSE(params.setParam("weight", "0.5"));
+    EXPECT_FALSE(params.setParam("resolution", "2"));
+    EXPECT_FALSE(params.setParam("lookahead", "0"));
+    EXPECT_FALSE(params.setParam("no_such_parameter", "1"));
+}
+
+TEST(Parameters, TheMessageNamesParameterRangeAndValue)
+{
+    PlannerSettings settings;
+    settings.weight = std::numeric_limits<double>::quiet_NaN();
+    try
+    {
+        Scene scene;
+        SpeculativeAStar planner(scene.setup.getSpaceInformation(), settings);
+        FAIL() << "not refused";
+    }
+    catch (const std::invalid_argument& error)
+    {
+        EXPECT_STREQ(error.what(), "weight must be between 1 and 1e+09, not 'nan'");
+    }
+}
+
+TEST(Parameters, NoMeansNo)
+{
+    Scene scene;
+    SpeculativeAStar planner(scene.setup.getSpaceInformation());
+    EXPECT_TRUE(planner.params().setParam("corner_cutting", "no"));
+    EXPECT_FALSE(planner.getSettings().cornerCutting);
+    EXPECT_TRUE(planner.params().setParam("corner_cutting", "yes"));
+    EXPECT_TRUE(planner.getSettings().cornerCutting);
+}
+
+TEST(Parameters, RoundTripThroughStrings)
+{
+    Scene scene;
+    SpeculativeAStar one(scene.setup.getSpaceInformation());
+    const std::map<std::string, std::string> values{
+        {"num_threads", "12"},    {"speculation_policy", "none"}, {"lookahead", "7"},        {"barrier", "1"},
+        {"weight", "2.5"},        {"resolution", "0.013"},        {"spacing", "0.1,0.25"},   {"connectivity", "1"},
+        {"corner_cutting", "0"},  {"executor", "virtual"},        {"virtual_check_cost", "0.005"},
+        {"rethrow_exceptions", "1"}};
+    ASSERT_TRUE(one.params().setParams(values));
+    std::map<std::string, std::string> read;
+    one.params().getParams(read);
+    EXPECT_EQ(read, values);
+}
+
+TEST(Parameters, AreAllDocumentedWithTheirDefaultsAndRanges)
+{
+    std::ifstream file(SPECPLAN_DOCS_DIR "/parameters.md");
+    ASSERT_TRUE(file) << "docs/parameters.md is missing";
+    std::stringstream text;
+    text << file.rdbuf();
+    Scene scene;
+    SpeculativeAStar planner(scene.setup.getSpaceInformation());
+    std::vector<std::string> names;
+    planner.params().getParamNames(names);
+    EXPECT_EQ(names.size(), 12U);
+    for (const std::string& name : names)
+    {
+        const auto& param = planner.params()[name];
+        const std::string value = param.getValue().empty() ? "" : "`" + param.getValue() + "`";
+        const std::string range = param.getRangeSuggestion().empty() ? "" : "`" + param.getRangeSuggestion() + "`";
+        EXPECT_NE(text.str().find("| `" + name + "` | " + value + " | " + range + " |"), std::string::npos)
+            << "expected the row: | `" << name << "` | " << value << " | " << range << " |";
+    }
+}
+
+TEST(Parameters, SettingsThatDoNotFitTheSpaceAreReported)
+{
+    Scene scene;
+    PlannerSettings settings = settingsFor(1);
+    settings.spacing = {0.1, 0.1, 0.1};
+    scene.plan(settings);
+    EXPECT_EQ(scene.solve(0.5), ob::PlannerStatus::CRASH);
+    EXPECT_NE(scene.planner->getReport().error.find("spacing has 3 values"), std::string::npos);
+    settings.spacing = {};
+    settings.connectivity = 5;
+    scene.planner->setSettings(settings);
+    EXPECT_EQ(scene.solve(0.5), ob::PlannerStatus::CRASH);
+    EXPECT_NE(scene.planner->getReport().error.find("connectivity is 5"), std::string::npos);
+}
+
+TEST(Specs, AreHonest)
+{
+    Scene scene;
+    const ob::PlannerSpecs& specs = SpeculativeAStar(scene.setup.getSpaceInformation()).getSpecs();
+    EXPECT_TRUE(specs.multithreaded);
+    EXPECT_TRUE(specs.optimizingPaths);
+    EXPECT_TRUE(specs.approximateSolutions);
+    EXPECT_TRUE(specs.directed);
+    EXPECT_TRUE(specs.provingSolutionNonExistence);
+    EXPECT_TRUE(specs.canReportIntermediateSolutions);
+}
+}  // namespace
+}  // namespace specplan::test

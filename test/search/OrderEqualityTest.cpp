@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The master test: speculation is invisible. Expansions, path and cost are those of a plain serial A* for every number of threads,
+// every policy and every executor, whatever the checks' timing.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "RandomProblem.h"
+#include "specplan/search/AStar.h"
+#include "specplan/speculation/DirectionPolicy.h"
+#include "specplan/validity/InlineExecutor.h"
+#include "specplan/validity/ThreadPoolExecutor.h"
+#include "specplan/validity/VirtualExecutor.h"
+
+namespace specplan::test
+{
+namespace
+{
+using lattice::CheckId;
+using lattice::NodeId;
+
+struct Configuration
+{
+    std::string name;
+    unsigned lookahead;  ///< 0: nothing ahead
+    bool barrier;
+    std::unique_ptr<ProblemChecker> checker;
+    std::unique_ptr<validity::Executor> executor;
+};
+
+/// Every executor × number of workers × policy. Pools live as long as the test, as they do in a planner.
+std::vector<Configuration> allConfigurations()
+{
+    std::vector<Configuration> all;
+    for (const unsigned workers : {1U, 2U, 4U, 8U, 32U})
+        for (const std::string kind : {"inline", "virtual", "threads"})
+            for (const unsigned lookahead : {0U, 1U, 4U})
+            {
+                if ((kind == "inline") != (workers == 1 && lookahead == 0) && kind == "inline")
+                    continue;
+                const bool barrier = lookahead == 1;
+                const std::string name = kind + " workers=" + std::to_string(workers) +
+                                         " lookahead=" + std::to_string(lookahead) + (barrier ? " barrier" : "");
+                auto checker = std::make_unique<ProblemChecker>(workers, kind == "threads");
+                std::unique_ptr<validity::Executor> executor;
+                if (kind == "inline")
+                    executor = std::make_unique<validity::InlineExecutor>(*checker);
+                else if (kind == "virtual")
+                    executor = std::make_unique<validity::VirtualExecutor>(
+                        *checker, workers, [](CheckId check, bool valid) { return check.isMotion() || valid ? 1.0 : 0.1; });
+                else
+                    executor = std::make_unique<validity::ThreadPoolExecutor>(*checker, workers);
+                all.push_back({name, lookahead, barrier, std::move(checker), std::move(executor)});
+            }
+    return all;
+}
+
+Cell cellOf(const lattice::Lattice& lattice, NodeId node)
+{
+    const auto coordinates = lattice.coordinates(node);
+    return {coordinates.begin(), coordinates.end()};
+}
+
+void expectCountsAddUp(const validity::CheckStatistics& counts)
+{
+    EXPECT_EQ(counts.speculativeChecks, counts.speculativeUsed + counts.speculativeWasted() + counts.speculativeDropped);
+    EXPECT_GE(counts.speculativeChecks, counts.speculativeUsed + counts.speculativeDropped);
+    EXPECT_EQ(counts.checksUsed, counts.usedReady + counts.usedAfterWait + counts.usedInline);
+    EXPECT_EQ(counts.checksRun, counts.demandedChecks + counts.speculativeChecks - counts.speculativeDropped);
+}
+
+void expectSameSearch(const RandomProblem& problem, const CellSolution& reference, Configuration& configuration)
+{
+    lattice::Lattice lattice(std::make_unique<lattice::GridNeighbourhood>(problem.box(), problem.steps()));
+    const lattice::GridHeuristic heuristic = problem.heuristic(lattice);
+    configuration.checker->open(problem, lattice);
+    validity::Broker broker(*configuration.executor);
+    broker.setBarrier(configuration.barrier);
+    speculation::DirectionPolicy policy(lattice, broker, std::max(configuration.lookahead, 1U));
+    search::AStar search(lattice, heuristic, broker, problem.weight());
+    if (configuration.lookahead > 0)
+    {
+        broker.setSource(&policy);
+        search.setPolicy(&policy);
+    }
+    std::vector<Cell> expansions;
+    search.setObserver([&](NodeId node) { expansions.push_back(cellOf(lattice, node)); });
+    const auto node = [&lattice](const Cell& cell)
+    { return lattice.node(std::vector<lattice::Coordinate>(cell.begin(), cell.end()).data()); };
+    for (const Cell& goal : problem.goals())
+        search.addGoal(node(goal));
+    for (const Cell& start : problem.starts())
+    {
+        broker.setVerdict(CheckId::ofState(node(start)), true);
+        search.addStart(node(start));
+    }
+
+    const search::SearchStatus status = search.run([] { return false; });
+    broker.settle();
+    configuration.checker->close();
+
+    ASSERT_EQ(expansions, reference.expansions);
+    EXPECT_EQ(search.expansions(), reference.expansions.size());
+    if (reference.path.empty())
+        EXPECT_EQ(status, search::SearchStatus::Infeasible);
+    else
+    {
+        ASSERT_EQ(status, search::SearchStatus::Solved);
+        EXPECT_EQ(search.costToCome(search.reachedGoal()), reference.cost);
+        std::vector<Cell> path;
+        for (const NodeId step : search.pathTo(search.reachedGoal()))
+            path.push_back(cellOf(lattice, step));
+        EXPECT_EQ(path, reference.path);
+    }
+    EXPECT_EQ(configuration.checker->violations(), 0);
+    expectCountsAddUp(broker.statistics());
+}
+
+/// Problems to try; fewer where a sanitizer slows everything down, more in a soak.
+std::uint64_t problemCount()
+{
+    if (const char* wanted = std::getenv("SPECPLAN_RANDOM_PROBLEMS"))
+        return std::strtoull(wanted, nullptr, 10);
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+    return 200;
+#else
+    return 2000;
+#endif
+}
+
+TEST(OrderEquality, EveryExecutorPolicyAndThreadCountMatchesTheSerialReference)
+{
+    std::vector<Configuration> configurations = allConfigurations();
+    std::uint64_t solved = 0;
+    for (std::uint64_t seed = 1; seed <= problemCount(); ++seed)
+    {
+        const RandomProblem problem(seed);
+        const CellSolution reference = referenceAStar(problem.forReference());
+        solved += reference.path.empty() ? 0 : 1;
+        for (Configuration& configuration : configurations)
+        {
+            SCOPED_TRACE("problem " + std::to_string(seed) + ", " + configuration.name);
+            expectSameSearch(problem, reference, configuration);
+            if (HasFatalFailure() || HasNonfatalFailure())
+                return;
+        }
+    }
+    // The problems are a mixture, or the test would show little.
+    EXPECT_GT(solved, problemCount() / 4);
+    EXPECT_LT(solved, problemCount());
+}
+}  // namespace
+}  // namespace specplan::test
