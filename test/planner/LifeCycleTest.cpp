@@ -218,7 +218,7 @@ TEST(Benchmark, RunsWithProgressPropertiesAndCountsEveryRunAsSolved)
     scene.latency = std::chrono::microseconds(20);
     ompl::tools::Benchmark benchmark(scene.setup, "specplan");
     benchmark.addPlanner(std::make_shared<SpeculativeAStar>(scene.setup.getSpaceInformation(), settingsFor(4)));
-    ompl::tools::Benchmark::Request request(10.0, 1000.0, 3, 0.01, false);
+    ompl::tools::Benchmark::Request request(10.0, 1000.0, 3, 0.01, false, false);
     benchmark.benchmark(request);
     const auto& runs = benchmark.getRecordedExperimentData().planners.at(0).runs;
     ASSERT_EQ(runs.size(), 3U);
