@@ -18,7 +18,6 @@ install(TARGETS ${specplan_libraries}
   EXPORT specplanTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
 )
 set(specplan_private_headers PATTERN problems EXCLUDE)
 if(NOT TARGET specplan_planner)

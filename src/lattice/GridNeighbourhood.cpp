@@ -40,13 +40,14 @@ void GridNeighbourhood::addDirections(const GridSteps& steps)
         const auto changed = static_cast<std::size_t>(std::ranges::count_if(offset, [](auto v) { return v != 0; }));
         if (changed >= 1 && changed <= steps.connectivity)
         {
-            Direction direction{offset, {}, steps.cost(offset), steps.motionCheck && steps.motionCheck(offset)};
+            Direction direction{{}, steps.cost(offset), steps.motionCheck && steps.motionCheck(offset)};
             if (!(direction.cost > 0.0) || !std::isfinite(direction.cost))
                 throw std::invalid_argument("every step of a grid needs a finite cost greater than 0");
             if (!steps.cornerCutting)
                 direction.guards = guardOffsets(offset);
             hasMotionChecks_ = hasMotionChecks_ || direction.motionCheck;
             directions_.push_back(std::move(direction));
+            offsets_.insert(offsets_.end(), offset.begin(), offset.end());
             if (directions_.size() > kMaxDirections)
                 throw std::invalid_argument("a node has more than 65536 neighbours; choose a smaller connectivity");
         }
@@ -83,30 +84,34 @@ std::vector<Coordinate> GridNeighbourhood::guardOffsets(const std::vector<Coordi
 void GridNeighbourhood::steps(const Coordinate* from, Steps& out) const
 {
     const std::size_t n = dimension();
-    out.clear();
+    if (out.steps.size() < directions_.size())
+        out.steps.resize(directions_.size());
+    if (out.ends.size() < offsets_.size())
+        out.ends.resize(offsets_.size());
+    out.count = 0;
+    out.guards.clear();
+    bool interior = true;  // all neighbours lie inside the box
+    for (std::size_t axis = 0; axis < n; ++axis)
+        interior = interior && from[axis] > box_.lower[axis] && from[axis] < box_.upper[axis];
     for (std::uint32_t index = 0; index < directions_.size(); ++index)
     {
-        const Direction& direction = directions_[index];
-        const std::size_t row = out.ends.size();
-        out.ends.resize(row + n);
-        bool inside = true;
+        Coordinate* end = &out.ends[out.count * n];
+        const Coordinate* offset = &offsets_[index * n];
         for (std::size_t axis = 0; axis < n; ++axis)
-        {
-            const Coordinate end = from[axis] + direction.offset[axis];
-            inside = inside && end >= box_.lower[axis] && end <= box_.upper[axis];
-            out.ends[row + axis] = end;
-        }
-        if (!inside)
-        {
-            out.ends.resize(row);
-            continue;
-        }
-        const auto guards = static_cast<std::uint16_t>(direction.guards.size() / n);
-        out.steps.push_back({direction.cost, index, static_cast<std::uint32_t>(out.guards.size() / n), guards,
-                             direction.motionCheck});
-        for (std::size_t i = 0; i < direction.guards.size(); ++i)
-            out.guards.push_back(from[i % n] + direction.guards[i]);
+            end[axis] = from[axis] + offset[axis];
+        if (interior || contains(end))
+            addStep(from, index, out);
     }
+}
+
+void GridNeighbourhood::addStep(const Coordinate* from, std::uint32_t index, Steps& out) const
+{
+    const std::size_t n = dimension();
+    const Direction& direction = directions_[index];
+    out.steps[out.count++] = {direction.cost, index, static_cast<std::uint32_t>(out.guards.size() / n),
+                              static_cast<std::uint16_t>(direction.guards.size() / n), direction.motionCheck};
+    for (std::size_t i = 0; i < direction.guards.size(); ++i)
+        out.guards.push_back(from[i % n] + direction.guards[i]);
 }
 
 bool GridNeighbourhood::goOn(const Coordinate* from, const Coordinate* to, Coordinate* next) const

@@ -52,8 +52,8 @@ MotionId Lattice::motionsOf(NodeId node)
             throw std::length_error("the lattice has more than 2^31 touched motions; choose a coarser resolution");
         firstMotion_[node] = static_cast<MotionId>(motions_.size());
         motions_.growTo(motions_.size() + neighbourhood_->maxSteps());
-        for (const Steps::Step& step : steps_.steps)
-            motions_[firstMotion_[node] + step.index].from = node;
+        for (std::size_t i = 0; i < steps_.count; ++i)
+            motions_[firstMotion_[node] + steps_.steps[i].index].from = node;
     }
     return firstMotion_[node];
 }
@@ -67,7 +67,7 @@ void Lattice::successors(NodeId node, Successors& out)
         const std::size_t n = dimension();
         neighbourhood_->steps(nodes_.coordinates(node).data(), steps_);
         const MotionId first = neighbourhood_->hasMotionChecks() ? motionsOf(node) : 0;
-        for (std::size_t i = 0; i < steps_.steps.size(); ++i)
+        for (std::size_t i = 0; i < steps_.count; ++i)
         {
             const Steps::Step& step = steps_.steps[i];
             const auto firstInner = static_cast<std::uint32_t>(out.inner.size());

@@ -33,10 +33,7 @@ bool Broker::demand(std::span<const CheckId> checks)
 
 bool Broker::demandMissing(std::span<const CheckId> checks)
 {
-    const double start = executor_.now();
-    const bool done = executor_.runsInline() ? runInline() : waitForMissing();
-    statistics_.waitSeconds += executor_.now() - start;
-    if (!done)
+    if (!(executor_.runsInline() ? runInline() : waitForMissing()))
         return false;
     for (const CheckId check : checks)
         if (table_[check].failed)
@@ -46,17 +43,17 @@ bool Broker::demandMissing(std::span<const CheckId> checks)
 
 bool Broker::runInline()
 {
-    double lastAsked = executor_.now();
+    double unasked = 0.0;  // seconds of checks since the interrupt was asked
     for (const CheckId check : missing_)
     {
         Entry& entry = table_[check];
         if (isKnown(entry.verdict))
             continue;  // given twice in one call
-        if (interrupt_ && executor_.now() - lastAsked > std::chrono::duration<double>(kPatience).count())
+        if (unasked > std::chrono::duration<double>(kPatience).count() && interrupt_)
         {
             if (interrupt_())
                 return false;
-            lastAsked = executor_.now();
+            unasked = 0.0;
         }
         if (!entry.failed)
         {
@@ -67,6 +64,8 @@ bool Broker::runInline()
         if (entry.failed)
             return true;  // what comes after is not needed: the caller rethrows
         ++statistics_.usedInline;
+        unasked += static_cast<double>(entry.seconds);
+        statistics_.waitSeconds += static_cast<double>(entry.seconds);
         noteUse(entry);
     }
     return true;
@@ -74,6 +73,7 @@ bool Broker::runInline()
 
 bool Broker::waitForMissing()
 {
+    const double start = executor_.now();
     collect(std::chrono::milliseconds{0});
     submitMissing();
     askSource();
@@ -93,6 +93,7 @@ bool Broker::waitForMissing()
     for (const CheckId check : missing_)
         table_[check].awaited = false;
     awaited_ = 0;
+    statistics_.waitSeconds += executor_.now() - start;
     return !interrupted;
 }
 

@@ -64,17 +64,18 @@ public:
 private:
     struct Direction
     {
-        std::vector<Coordinate> offset;
         std::vector<Coordinate> guards;  ///< rows of offsets
         double cost;
         bool motionCheck;
     };
 
     void addDirections(const GridSteps& steps);
+    void addStep(const Coordinate* from, std::uint32_t index, Steps& out) const;
     [[nodiscard]] std::vector<Coordinate> guardOffsets(const std::vector<Coordinate>& offset) const;
 
     GridBox box_;
     std::vector<Direction> directions_;
+    std::vector<Coordinate> offsets_;  ///< a row for each direction
     bool hasMotionChecks_ = false;
 };
 }  // namespace specplan::lattice

@@ -10,8 +10,8 @@
 
 namespace specplan::lattice
 {
-/// The steps out of one node, written by a Neighbourhood. Kept by the caller and used again, so nothing is allocated
-/// once the buffers have grown.
+/// The steps out of one node, written by a Neighbourhood. Kept by the caller and used again: the buffers stay as large as they
+/// ever were, and `count` says how much of them holds.
 struct Steps
 {
     struct Step
@@ -23,16 +23,10 @@ struct Steps
         bool motionCheck;           ///< whether the inside of the motion needs a check of its own
     };
 
-    std::vector<Step> steps;
-    std::vector<Coordinate> ends;    ///< steps.size() rows: where each step leads
+    std::size_t count = 0;           ///< number of steps
+    std::vector<Step> steps;         ///< the first `count` hold
+    std::vector<Coordinate> ends;    ///< rows: where each step leads
     std::vector<Coordinate> guards;  ///< rows: further nodes whose states have to be valid for a step to be taken
-
-    void clear() noexcept
-    {
-        steps.clear();
-        ends.clear();
-        guards.clear();
-    }
 };
 
 /// Which nodes can be reached from a node in one motion. Depends on coordinates only, never on verdicts.
