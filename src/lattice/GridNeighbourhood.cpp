@@ -12,6 +12,7 @@ namespace specplan::lattice
 namespace
 {
 constexpr std::size_t kMaxDirections = 65536;
+constexpr std::size_t kMaxGuardedAxes = 12;
 
 void requireBox(const GridBox& box)
 {
@@ -40,15 +41,17 @@ void GridNeighbourhood::addDirections(const GridSteps& steps)
         const auto changed = static_cast<std::size_t>(std::ranges::count_if(offset, [](auto v) { return v != 0; }));
         if (changed >= 1 && changed <= steps.connectivity)
         {
-            Direction direction{{}, steps.cost(offset), steps.motionCheck && steps.motionCheck(offset)};
-            if (!(direction.cost > 0.0) || !std::isfinite(direction.cost))
+            const double cost = steps.cost(offset);
+            if (!(cost > 0.0) || !std::isfinite(cost))
                 throw std::invalid_argument("every step of a grid needs a finite cost greater than 0");
+            Steps::Step pattern{cost, static_cast<std::uint32_t>(patterns_.size()), 0, 0,
+                                steps.motionCheck && steps.motionCheck(offset)};
             if (!steps.cornerCutting)
-                direction.guards = guardOffsets(offset);
-            hasMotionChecks_ = hasMotionChecks_ || direction.motionCheck;
-            directions_.push_back(std::move(direction));
+                addGuardOffsets(offset, pattern);
+            hasMotionChecks_ = hasMotionChecks_ || pattern.motionCheck;
+            patterns_.push_back(pattern);
             offsets_.insert(offsets_.end(), offset.begin(), offset.end());
-            if (directions_.size() > kMaxDirections)
+            if (patterns_.size() > kMaxDirections)
                 throw std::invalid_argument("a node has more than 65536 neighbours; choose a smaller connectivity");
         }
         // Count through {-1, 0, 1}^n, last axis fastest.
@@ -61,57 +64,64 @@ void GridNeighbourhood::addDirections(const GridSteps& steps)
     }
 }
 
-std::vector<Coordinate> GridNeighbourhood::guardOffsets(const std::vector<Coordinate>& offset) const
+void GridNeighbourhood::addGuardOffsets(const std::vector<Coordinate>& offset, Steps::Step& pattern)
 {
     std::vector<std::size_t> axes;
     for (std::size_t axis = 0; axis < offset.size(); ++axis)
         if (offset[axis] != 0)
             axes.push_back(axis);
-    if (axes.size() > 12)
+    if (axes.size() > kMaxGuardedAxes)
         throw std::invalid_argument("without corner cutting at most 12 axes may change in one step");
-    std::vector<Coordinate> guards;
+    pattern.firstGuard = static_cast<std::uint32_t>(guardOffsets_.size() / offset.size());
     for (std::size_t subset = 1; subset + 1 < (std::size_t{1} << axes.size()); ++subset)
     {
         std::vector<Coordinate> corner(offset.size(), 0);
         for (std::size_t bit = 0; bit < axes.size(); ++bit)
             if ((subset >> bit & 1U) != 0)
                 corner[axes[bit]] = offset[axes[bit]];
-        guards.insert(guards.end(), corner.begin(), corner.end());
+        guardOffsets_.insert(guardOffsets_.end(), corner.begin(), corner.end());
+        ++pattern.guards;
     }
-    return guards;
 }
 
 void GridNeighbourhood::steps(const Coordinate* from, Steps& out) const
 {
     const std::size_t n = dimension();
-    if (out.steps.size() < directions_.size())
-        out.steps.resize(directions_.size());
+    if (out.steps.size() < patterns_.size())
+        out.steps.resize(patterns_.size());
     if (out.ends.size() < offsets_.size())
         out.ends.resize(offsets_.size());
-    out.count = 0;
     out.guards.clear();
     bool interior = true;  // all neighbours lie inside the box
     for (std::size_t axis = 0; axis < n; ++axis)
         interior = interior && from[axis] > box_.lower[axis] && from[axis] < box_.upper[axis];
-    for (std::uint32_t index = 0; index < directions_.size(); ++index)
+
+    Coordinate* end = out.ends.data();
+    const Coordinate* offset = offsets_.data();
+    Steps::Step* step = out.steps.data();
+    for (const Steps::Step& pattern : patterns_)
     {
-        Coordinate* end = &out.ends[out.count * n];
-        const Coordinate* offset = &offsets_[index * n];
         for (std::size_t axis = 0; axis < n; ++axis)
             end[axis] = from[axis] + offset[axis];
-        if (interior || contains(end))
-            addStep(from, index, out);
+        offset += n;
+        if (!interior && !contains(end))
+            continue;
+        *step = pattern;
+        if (pattern.guards > 0)
+            addGuards(from, *step, out.guards);
+        ++step;
+        end += n;
     }
+    out.count = static_cast<std::size_t>(step - out.steps.data());
 }
 
-void GridNeighbourhood::addStep(const Coordinate* from, std::uint32_t index, Steps& out) const
+void GridNeighbourhood::addGuards(const Coordinate* from, Steps::Step& step, std::vector<Coordinate>& guards) const
 {
     const std::size_t n = dimension();
-    const Direction& direction = directions_[index];
-    out.steps[out.count++] = {direction.cost, index, static_cast<std::uint32_t>(out.guards.size() / n),
-                              static_cast<std::uint16_t>(direction.guards.size() / n), direction.motionCheck};
-    for (std::size_t i = 0; i < direction.guards.size(); ++i)
-        out.guards.push_back(from[i % n] + direction.guards[i]);
+    const Coordinate* offset = &guardOffsets_[step.firstGuard * n];
+    step.firstGuard = static_cast<std::uint32_t>(guards.size() / n);
+    for (std::size_t i = 0; i < step.guards * n; ++i)
+        guards.push_back(from[i % n] + offset[i]);
 }
 
 bool GridNeighbourhood::goOn(const Coordinate* from, const Coordinate* to, Coordinate* next) const

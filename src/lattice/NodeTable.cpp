@@ -11,7 +11,7 @@ namespace specplan::lattice
 {
 namespace
 {
-constexpr std::size_t kFirstSlots = 1024;
+constexpr std::size_t kFirstSlots = 4096;
 constexpr std::size_t kMaxNodes = std::size_t{1} << 31;  // the upper half of NodeId marks motions in check ids
 
 std::uint32_t tagOf(std::uint64_t hash) noexcept

@@ -47,7 +47,7 @@ public:
 
     [[nodiscard]] std::uint32_t maxSteps() const noexcept override
     {
-        return static_cast<std::uint32_t>(directions_.size());
+        return static_cast<std::uint32_t>(patterns_.size());
     }
 
     [[nodiscard]] bool hasMotionChecks() const noexcept override
@@ -62,20 +62,14 @@ public:
     [[nodiscard]] bool contains(const Coordinate* coordinates) const noexcept;
 
 private:
-    struct Direction
-    {
-        std::vector<Coordinate> guards;  ///< rows of offsets
-        double cost;
-        bool motionCheck;
-    };
-
     void addDirections(const GridSteps& steps);
-    void addStep(const Coordinate* from, std::uint32_t index, Steps& out) const;
-    [[nodiscard]] std::vector<Coordinate> guardOffsets(const std::vector<Coordinate>& offset) const;
+    void addGuardOffsets(const std::vector<Coordinate>& offset, Steps::Step& pattern);
+    void addGuards(const Coordinate* from, Steps::Step& step, std::vector<Coordinate>& guards) const;
 
     GridBox box_;
-    std::vector<Direction> directions_;
-    std::vector<Coordinate> offsets_;  ///< a row for each direction
+    std::vector<Steps::Step> patterns_;     ///< one for each direction; firstGuard counts rows of guardOffsets_
+    std::vector<Coordinate> offsets_;       ///< a row for each direction
+    std::vector<Coordinate> guardOffsets_;  ///< rows
     bool hasMotionChecks_ = false;
 };
 }  // namespace specplan::lattice
