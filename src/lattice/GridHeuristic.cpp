@@ -60,7 +60,7 @@ double gridDistance(std::span<const double> distance, std::span<const double> sp
         const double a = std::abs(distance[0]);
         const double b = std::abs(distance[1]);
         const double diagonal = std::min(a, b);
-        return diagonal * std::hypot(spacing[0], spacing[1]) + (a - diagonal) * spacing[0] +
+        return diagonal * std::sqrt(spacing[0] * spacing[0] + spacing[1] * spacing[1]) + (a - diagonal) * spacing[0] +
                (b - diagonal) * spacing[1];
     }
     std::array<AxisDistance, kInlineAxes> few;

@@ -35,9 +35,10 @@ bool Broker::demandMissing(std::span<const CheckId> checks)
 {
     if (!(executor_.runsInline() ? runInline() : waitForMissing()))
         return false;
-    for (const CheckId check : checks)
-        if (table_[check].failed)
-            rethrow(check);
+    if (!errors_.empty())
+        for (const CheckId check : checks)
+            if (table_[check].failed)
+                rethrow(check);
     return true;
 }
 

@@ -10,4 +10,7 @@ namespace specplan::validity
 
 /// Runs one check, measures it, and catches what it throws.
 [[nodiscard]] Completion runCheck(Checker& checker, CheckId check, unsigned worker) noexcept;
+
+/// The same without reading the clock: `seconds` is 0.
+[[nodiscard]] Completion runCheckUnmeasured(Checker& checker, CheckId check, unsigned worker) noexcept;
 }  // namespace specplan::validity
