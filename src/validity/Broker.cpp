@@ -83,6 +83,8 @@ bool Broker::waitForMissing()
     while (awaited_ > 0 || (barrier_ && executor_.busy()))
     {
         collect(kPatience);
+        if (awaited_ > 0 && source_ != nullptr && source_->keepsAsking())
+            askSource();
         if (interrupt_ && steadySeconds() - lastAsked > std::chrono::duration<double>(kPatience).count())
         {
             interrupted = interrupt_();
@@ -174,7 +176,11 @@ void Broker::record(Completion& completion)
         ++statistics_.failuresForgotten;
     }
     else
+    {
         entry.verdict = completion.valid ? Verdict::Valid : Verdict::Invalid;
+        if (source_ != nullptr)
+            source_->learned(check, completion.valid);
+    }
     if (!entry.awaited)
         return;
     entry.awaited = false;

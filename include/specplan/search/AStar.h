@@ -8,6 +8,7 @@
 
 #include "specplan/lattice/Heuristic.h"
 #include "specplan/lattice/Lattice.h"
+#include "specplan/speculation/FrontierView.h"
 #include "specplan/speculation/Policy.h"
 #include "specplan/util/OpenList.h"
 #include "specplan/validity/Broker.h"
@@ -38,7 +39,7 @@ enum class SearchStatus
 /// f = g + weight h first, then larger g, then older entry (an improved node counts as a new entry).
 ///
 /// Threads: one, the search thread.
-class AStar
+class AStar : public speculation::FrontierView
 {
 public:
     /// \param weight at least 1. All references must outlive the search.
@@ -76,19 +77,34 @@ public:
     [[nodiscard]] std::vector<NodeId> pathTo(NodeId node) const;
 
     /// Cost of the best way found to a node; infinite if it was not reached.
-    [[nodiscard]] double costToCome(NodeId node) const noexcept
+    [[nodiscard]] double costToCome(NodeId node) const noexcept override
     {
         return node < nodes_.size() ? nodes_[node].g : kUnreached;
     }
 
-    [[nodiscard]] NodeId parent(NodeId node) const noexcept
+    [[nodiscard]] NodeId parent(NodeId node) const noexcept override
     {
         return node < nodes_.size() ? nodes_[node].parent : lattice::kNoNode;
     }
 
-    [[nodiscard]] bool isExpanded(NodeId node) const noexcept
+    [[nodiscard]] bool isExpanded(NodeId node) const noexcept override
     {
         return node == reachedGoal_ || (node < nodes_.size() && nodes_[node].closed);
+    }
+
+    [[nodiscard]] bool isGoal(NodeId node) const noexcept override
+    {
+        return node < nodes_.size() && nodes_[node].goal;
+    }
+
+    [[nodiscard]] std::span<const util::OpenList::Entry> open() const noexcept override
+    {
+        return open_.entries();
+    }
+
+    [[nodiscard]] double weightedEstimate(NodeId node) const override
+    {
+        return weight_ * (node < nodes_.size() && nodes_[node].h >= 0.0 ? nodes_[node].h : heuristic_.estimate(node));
     }
 
     [[nodiscard]] std::uint64_t expansions() const noexcept

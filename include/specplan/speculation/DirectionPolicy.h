@@ -20,6 +20,15 @@ public:
     void expanding(lattice::NodeId node, lattice::NodeId parent) override;
     void propose(std::size_t count, std::vector<lattice::CheckId>& out) override;
 
+    void learned(lattice::CheckId, bool) override
+    {
+    }
+
+    [[nodiscard]] bool keepsAsking() const noexcept override
+    {
+        return false;
+    }
+
 private:
     void proposeAround(lattice::NodeId node, std::size_t full, std::vector<lattice::CheckId>& out);
 

@@ -17,5 +17,11 @@ public:
     /// Appends up to `count` checks that the search is likely to need, most wanted first. Asked only while the search has to
     /// wait and workers are free.
     virtual void propose(std::size_t count, std::vector<lattice::CheckId>& out) = 0;
+
+    /// Whether to ask again during a wait, as soon as workers fall free; otherwise once at its beginning.
+    [[nodiscard]] virtual bool keepsAsking() const noexcept = 0;
+
+    /// A verdict has come in, wanted or not.
+    virtual void learned(lattice::CheckId check, bool valid) = 0;
 };
 }  // namespace specplan::validity
