@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the search itself costs when checks cost nothing: expansions a second, sequential, on a map of 257 × 256 cells, through the
-// core alone and through OMPL states.
+// What the search itself costs when checks cost nothing: expansions a second, sequential, on a map of 257 × 256 cells,
+// through the core alone and through OMPL states.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

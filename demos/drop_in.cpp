@@ -41,8 +41,8 @@ int main()
 
     const ob::PlannerStatus status = setup.solve(30.0);
     const specplan::SearchReport& report = planner->getReport();
-    std::cout << status.asString() << ", length " << setup.getSolutionPath().length() << ", "
-              << report.checksUsed << " checks needed, " << report.wallTime << " s: " << report.speedup
+    std::cout << status.asString() << ", length " << setup.getSolutionPath().length() << ", " << report.checksUsed
+              << " checks needed, " << report.wallTime << " s: " << report.speedup
               << " times as fast as sequential A*\n";
     return status == ob::PlannerStatus::EXACT_SOLUTION ? 0 : 1;
 }

@@ -77,7 +77,7 @@ double gridDistance(std::span<const double> distance, std::span<const double> sp
 }
 
 GridHeuristic::GridHeuristic(const Lattice& lattice, std::vector<double> spacing, unsigned connectivity)
-  : lattice_(lattice), spacing_(std::move(spacing)), connectivity_(connectivity)
+    : lattice_(lattice), spacing_(std::move(spacing)), connectivity_(connectivity)
 {
 }
 
@@ -85,8 +85,8 @@ void GridHeuristic::addGoal(Goal goal)
 {
     double saving = 0.0;
     for (const std::vector<double>& approach : goal.approaches)
-        saving = std::max(saving,
-                          gridDistance(approach, spacing_, connectivity_) - euclideanLength(approach, spacing_));
+        saving =
+            std::max(saving, gridDistance(approach, spacing_, connectivity_) - euclideanLength(approach, spacing_));
     goals_.push_back({std::move(goal.position), saving});
 }
 

@@ -28,8 +28,7 @@ GridNeighbourhood::GridNeighbourhood(GridBox box, const GridSteps& steps) : box_
 {
     requireBox(box_);
     if (steps.connectivity < 1 || steps.connectivity > dimension())
-        throw std::invalid_argument("connectivity must be between 1 and the dimension, " +
-                                    std::to_string(dimension()));
+        throw std::invalid_argument("connectivity must be between 1 and the dimension, " + std::to_string(dimension()));
     addDirections(steps);
 }
 

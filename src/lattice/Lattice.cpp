@@ -12,7 +12,7 @@ constexpr std::size_t kMaxMotions = std::size_t{1} << 31;
 }  // namespace
 
 Lattice::Lattice(std::unique_ptr<const Neighbourhood> neighbourhood)
-  : neighbourhood_(std::move(neighbourhood)), nodes_(neighbourhood_->dimension()), next_(neighbourhood_->dimension())
+    : neighbourhood_(std::move(neighbourhood)), nodes_(neighbourhood_->dimension()), next_(neighbourhood_->dimension())
 {
 }
 

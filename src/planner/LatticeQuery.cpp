@@ -23,14 +23,14 @@ constexpr double kSegmentSlack = 1.0 - 1e-9;
 LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjectivePtr objective,
                            const PlannerSettings& settings, validity::Executor& executor, OmplChecker& checker,
                            OmplChecker::Sources sources, const ob::State* origin)
-  : si_(si)
-  , objective_(std::move(objective))
-  , settings_(settings)
-  , embedding_(si, settings, origin)
-  , lattice_(makeNeighbourhood(isDiscreteMotionValidator(*sources.motionValidators.front())))
-  , broker_(executor)
-  , gridHeuristic_(lattice_, embedding_.spacing(), embedding_.connectivity())
-  , objectiveHeuristic_(si, *objective_, lattice_, embedding_, goalStates_)
+    : si_(si),
+      objective_(std::move(objective)),
+      settings_(settings),
+      embedding_(si, settings, origin),
+      lattice_(makeNeighbourhood(isDiscreteMotionValidator(*sources.motionValidators.front()))),
+      broker_(executor),
+      gridHeuristic_(lattice_, embedding_.spacing(), embedding_.connectivity()),
+      objectiveHeuristic_(si, *objective_, lattice_, embedding_, goalStates_)
 {
     if (!isPathLength(*objective_))
     {
@@ -51,8 +51,8 @@ std::unique_ptr<lattice::GridNeighbourhood> LatticeQuery::makeNeighbourhood(bool
     steps.connectivity = embedding_.connectivity();
     steps.cornerCutting = settings_.cornerCutting;
     steps.cost = [this](std::span<const Coordinate> offset) { return embedding_.stepLength(offset); };
-    const double segment = si_.getStateSpace()->getLongestValidSegmentLength() /
-                           si_.getStateSpace()->getValidSegmentCountFactor();
+    const double segment =
+        si_.getStateSpace()->getLongestValidSegmentLength() / si_.getStateSpace()->getValidSegmentCountFactor();
     steps.motionCheck = [this, discreteMotions, segment](std::span<const Coordinate> offset)
     { return !discreteMotions || embedding_.stepLength(offset) > segment * kSegmentSlack; };
     return std::make_unique<lattice::GridNeighbourhood>(embedding_.box(), steps);

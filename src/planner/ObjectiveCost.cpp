@@ -27,7 +27,7 @@ bool isAdditive(const ob::OptimizationObjective& objective)
 
 ObjectiveCost::ObjectiveCost(const ob::SpaceInformation& si, const ob::OptimizationObjective& objective,
                              const lattice::Lattice& lattice, const RealVectorEmbedding& embedding)
-  : si_(si), objective_(objective), lattice_(lattice), embedding_(embedding)
+    : si_(si), objective_(objective), lattice_(lattice), embedding_(embedding)
 {
 }
 
@@ -44,7 +44,7 @@ double ObjectiveCost::operator()(lattice::NodeId from, lattice::NodeId to) const
 ObjectiveHeuristic::ObjectiveHeuristic(const ob::SpaceInformation& si, const ob::OptimizationObjective& objective,
                                        const lattice::Lattice& lattice, const RealVectorEmbedding& embedding,
                                        const std::vector<StateHandle>& goals)
-  : si_(si), objective_(objective), lattice_(lattice), embedding_(embedding), goals_(goals)
+    : si_(si), objective_(objective), lattice_(lattice), embedding_(embedding), goals_(goals)
 {
 }
 

@@ -113,14 +113,15 @@ class Declarer
 public:
     Declarer(ompl::base::ParamSet& params, std::function<PlannerSettings()> get,
              std::function<void(const PlannerSettings&)> set)
-      : params_(params), get_(std::move(get)), set_(std::move(set))
+        : params_(params), get_(std::move(get)), set_(std::move(set))
     {
     }
 
     void number(const std::string& name, unsigned PlannerSettings::*member, const std::string& range)
     {
         declare(
-            name, range, [name, member](PlannerSettings& settings, const std::string& value)
+            name, range,
+            [name, member](PlannerSettings& settings, const std::string& value)
             { settings.*member = parseUnsigned(name, value, "a whole number, 0 or more"); },
             [member](const PlannerSettings& settings) { return std::to_string(settings.*member); });
     }
@@ -128,7 +129,8 @@ public:
     void number(const std::string& name, double PlannerSettings::*member, const std::string& range)
     {
         declare(
-            name, range, [name, member](PlannerSettings& settings, const std::string& value)
+            name, range,
+            [name, member](PlannerSettings& settings, const std::string& value)
             { settings.*member = parseDouble(name, value, "a number"); },
             [member](const PlannerSettings& settings) { return text(settings.*member); });
     }
@@ -136,7 +138,8 @@ public:
     void flag(const std::string& name, bool PlannerSettings::*member)
     {
         declare(
-            name, "0,1", [name, member](PlannerSettings& settings, const std::string& value)
+            name, "0,1",
+            [name, member](PlannerSettings& settings, const std::string& value)
             { settings.*member = parseBool(name, value); },
             [member](const PlannerSettings& settings) { return settings.*member ? "1" : "0"; });
     }
@@ -199,8 +202,8 @@ void declareParameters(ompl::base::ParamSet& params, std::function<PlannerSettin
     declarer.number("weight", &PlannerSettings::weight, "1.:.1:1000000000.");
     declarer.number("resolution", &PlannerSettings::resolution, "0.:.001:1.");
     declarer.declare(
-        "spacing", "", [](PlannerSettings& settings, const std::string& value)
-        { settings.spacing = parseSpacing(value); },
+        "spacing", "",
+        [](PlannerSettings& settings, const std::string& value) { settings.spacing = parseSpacing(value); },
         [](const PlannerSettings& settings) { return spacingText(settings.spacing); });
     declarer.number("connectivity", &PlannerSettings::connectivity, "0:1:1000");
     declarer.flag("corner_cutting", &PlannerSettings::cornerCutting);

@@ -63,9 +63,9 @@ void PlannerSession::ensureExecutor()
     executor.reset();
     checker = std::make_unique<OmplChecker>(*si, threads);
     if (settings.executor == "virtual")
-        executor = std::make_unique<validity::VirtualExecutor>(
-            *checker, threads, [this, cost = settings.virtualCheckCost](CheckId, bool)
-            { return cost * checker->statesOfLastCheck(0); });
+        executor = std::make_unique<validity::VirtualExecutor>(*checker, threads,
+                                                               [this, cost = settings.virtualCheckCost](CheckId, bool)
+                                                               { return cost * checker->statesOfLastCheck(0); });
     else if (threads == 1)
         executor = std::make_unique<validity::InlineExecutor>(*checker);
     else
@@ -121,8 +121,8 @@ bool PlannerSession::takeStarts(ob::PlannerInputStates& inputs, const ob::Proble
             }
             if (!objective)
                 objective = std::make_shared<ob::PathLengthOptimizationObjective>(si);
-            query = std::make_unique<LatticeQuery>(*si, std::move(objective), settings, *executor, *checker, makeSources(),
-                                                   start);
+            query = std::make_unique<LatticeQuery>(*si, std::move(objective), settings, *executor, *checker,
+                                                   makeSources(), start);
         }
         query->addStart(start);
         added = true;
@@ -131,11 +131,12 @@ bool PlannerSession::takeStarts(ob::PlannerInputStates& inputs, const ob::Proble
 }
 
 bool PlannerSession::takeGoals(ob::PlannerInputStates& inputs, const ob::Goal& goal,
-                                       const ob::PlannerTerminationCondition& ptc)
+                               const ob::PlannerTerminationCondition& ptc)
 {
     bool added = false;
-    const std::size_t most = std::min<std::size_t>(goal.as<ob::GoalSampleableRegion>()->maxSampleCount(),
-                                                   goal.hasType(ob::GOAL_STATES) ? std::size_t{1} << 20 : kMaxSampledGoals);
+    const std::size_t most =
+        std::min<std::size_t>(goal.as<ob::GoalSampleableRegion>()->maxSampleCount(),
+                              goal.hasType(ob::GOAL_STATES) ? std::size_t{1} << 20 : kMaxSampledGoals);
     const ob::State* state = query->goals().empty() ? inputs.nextGoal(ptc) : inputs.nextGoal();
     for (; state != nullptr; state = inputs.nextGoal())
     {
@@ -148,8 +149,8 @@ bool PlannerSession::takeGoals(ob::PlannerInputStates& inputs, const ob::Goal& g
 }
 
 std::optional<ob::PlannerStatus> PlannerSession::openQuery(ob::PlannerInputStates& inputs,
-                                                                   const ob::ProblemDefinition& pdef,
-                                                                   const ob::PlannerTerminationCondition& ptc)
+                                                           const ob::ProblemDefinition& pdef,
+                                                           const ob::PlannerTerminationCondition& ptc)
 {
     const Origins now = currentOrigins(pdef);
     if (query && (sourcesChanged || !origins.same(now) || asTuple(querySettings) != asTuple(settings)))
@@ -245,7 +246,8 @@ void PlannerSession::fillReport()
 {
     const CheckStatistics& counts = query->broker().statistics();
     const NodeId goal = query->search().reachedGoal();
-    report.cost = goal == lattice::kNoNode ? std::numeric_limits<double>::quiet_NaN() : query->search().costToCome(goal);
+    report.cost =
+        goal == lattice::kNoNode ? std::numeric_limits<double>::quiet_NaN() : query->search().costToCome(goal);
     report.expansions = query->search().expansions();
     report.orderHash = query->search().orderHash();
     report.nodes = query->lattice().size();

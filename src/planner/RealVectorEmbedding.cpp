@@ -43,8 +43,8 @@ std::vector<double> chooseSpacing(const PlannerSettings& settings, const std::ve
     }
     double fraction = settings.resolution;
     if (fraction == 0.0)
-        fraction = 1.0 / std::clamp(std::floor(std::pow(kAutomaticNodes, 1.0 / static_cast<double>(n))), 4.0,
-                                    kAutomaticCells);
+        fraction =
+            1.0 / std::clamp(std::floor(std::pow(kAutomaticNodes, 1.0 / static_cast<double>(n))), 4.0, kAutomaticCells);
     std::vector<double> spacing;
     for (const double extent : extents)
         spacing.push_back(extent * fraction);
@@ -53,7 +53,7 @@ std::vector<double> chooseSpacing(const PlannerSettings& settings, const std::ve
 
 RealVectorEmbedding::RealVectorEmbedding(const ob::SpaceInformation& si, const PlannerSettings& settings,
                                          const ob::State* origin)
-  : si_(si)
+    : si_(si)
 {
     const ob::RealVectorBounds& bounds = si.getStateSpace()->as<ob::RealVectorStateSpace>()->getBounds();
     lower_ = bounds.low;
@@ -105,7 +105,8 @@ std::vector<std::vector<Coordinate>> RealVectorEmbedding::corners(const std::vec
 {
     const std::size_t n = dimension();
     std::vector<Coordinate> nearest(n);
-    std::vector<Coordinate> other(n);  // the farther end of the cell along each axis; the same if the position is on the grid
+    std::vector<Coordinate> other(
+        n);  // the farther end of the cell along each axis; the same if the position is on the grid
     for (std::size_t axis = 0; axis < n; ++axis)
     {
         const double rounded = std::round(position[axis]);
@@ -145,7 +146,6 @@ void RealVectorEmbedding::write(const lattice::Lattice& lattice, lattice::NodeId
     double* values = state->as<ob::RealVectorStateSpace::StateType>()->values;
     const std::span<const Coordinate> coordinates = lattice.coordinates(node);
     for (std::size_t axis = 0; axis < coordinates.size(); ++axis)
-        values[axis] =
-            std::clamp(origin_[axis] + coordinates[axis] * spacing_[axis], lower_[axis], upper_[axis]);
+        values[axis] = std::clamp(origin_[axis] + coordinates[axis] * spacing_[axis], lower_[axis], upper_[axis]);
 }
 }  // namespace specplan::planner

@@ -23,7 +23,7 @@ SpeculativeAStar::SpeculativeAStar(const ob::SpaceInformationPtr& si) : Speculat
 }
 
 SpeculativeAStar::SpeculativeAStar(const ob::SpaceInformationPtr& si, const PlannerSettings& settings)
-  : ob::Planner(si, "SpeculativeAStar"), session_(std::make_unique<planner::PlannerSession>(si))
+    : ob::Planner(si, "SpeculativeAStar"), session_(std::make_unique<planner::PlannerSession>(si))
 {
     specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
     specs_.multithreaded = true;
@@ -34,7 +34,8 @@ SpeculativeAStar::SpeculativeAStar(const ob::SpaceInformationPtr& si, const Plan
     specs_.canReportIntermediateSolutions = true;
     setSettings(settings);
     planner::declareParameters(
-        params_, [this] { return session_->settings; }, [this](const PlannerSettings& changed) { setSettings(changed); });
+        params_, [this] { return session_->settings; },
+        [this](const PlannerSettings& changed) { setSettings(changed); });
 
     const auto count = [](const std::atomic<std::uint64_t>& counter)
     { return [&counter] { return std::to_string(counter.load(std::memory_order_relaxed)); }; };
@@ -173,7 +174,8 @@ void SpeculativeAStar::visitStates(const std::function<void(const ob::State*, St
         else if (std::isfinite(query.search().costToCome(node)))
             fate = StateFate::Open;
         else if (validity::isKnown(verdict))
-            fate = query.broker().isUsed(validity::CheckId::ofState(node)) ? StateFate::Invalid : StateFate::CheckedUnused;
+            fate =
+                query.broker().isUsed(validity::CheckId::ofState(node)) ? StateFate::Invalid : StateFate::CheckedUnused;
         if (fate)
             visit(query.stateOf(node).get(), *fate);
     }

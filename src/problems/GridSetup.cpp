@@ -26,7 +26,7 @@ class GridValidityChecker : public ob::StateValidityChecker
 {
 public:
     GridValidityChecker(const ob::SpaceInformationPtr& si, GridMap map, ArtificialCheck check)
-      : ob::StateValidityChecker(si), map_(std::move(map)), check_(check)
+        : ob::StateValidityChecker(si), map_(std::move(map)), check_(check)
     {
     }
 
@@ -61,7 +61,7 @@ class MoveCountObjective : public ob::OptimizationObjective
 {
 public:
     MoveCountObjective(const ob::SpaceInformationPtr& si, bool straightHeuristic)
-      : ob::OptimizationObjective(si), straightHeuristic_(straightHeuristic)
+        : ob::OptimizationObjective(si), straightHeuristic_(straightHeuristic)
     {
         description_ = "number of moves";
     }
@@ -91,8 +91,9 @@ void requireFree(const GridMap& map, const GridCell& cell, const std::string& na
 {
     const std::string place = what + " " + std::to_string(cell[0]) + "," + std::to_string(cell[1]);
     if (!map.contains(cell[0], cell[1]))
-        throw InputError(name, 0, "expected a " + what + " inside the map of " + std::to_string(map.width()) + " x " +
-                                      std::to_string(map.height()) + " cells, found " + place);
+        throw InputError(name, 0,
+                         "expected a " + what + " inside the map of " + std::to_string(map.width()) + " x " +
+                             std::to_string(map.height()) + " cells, found " + place);
     if (!map.isFree(cell[0], cell[1]))
         throw InputError(name, 0, "expected a free " + what + " cell, but " + place + " is an obstacle");
 }

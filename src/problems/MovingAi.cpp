@@ -37,7 +37,8 @@ void readRow(LineReader& in, GridMap& map, int y)
         if (kFree.find(cell) != std::string_view::npos)
             map.setFree(x, y, true);
         else if (kBlocked.find(cell) == std::string_view::npos)
-            in.fail(std::string("expected one of . G S @ O T W, found '") + cell + "' in column " + std::to_string(x + 1));
+            in.fail(std::string("expected one of . G S @ O T W, found '") + cell + "' in column " +
+                    std::to_string(x + 1));
     }
 }
 

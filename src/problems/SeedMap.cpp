@@ -28,8 +28,8 @@ GridCell parseCell(const LineReader& in, const std::string& line, const std::str
 {
     const GridCell pair = parsePair(in, line, what);
     if (pair[0] < 1 || pair[0] > size[0] || pair[1] < 1 || pair[1] > size[1])
-        in.fail("expected " + what + " inside the map, 1,1 to " + std::to_string(size[0]) + "," + std::to_string(size[1]) +
-                ", found '" + line.substr(0, 40) + "'");
+        in.fail("expected " + what + " inside the map, 1,1 to " + std::to_string(size[0]) + "," +
+                std::to_string(size[1]) + ", found '" + line.substr(0, 40) + "'");
     return {pair[0] - 1, pair[1] - 1};
 }
 
@@ -37,7 +37,8 @@ void readCosts(LineReader& in, GridMap& map, double threshold)
 {
     for (int x = 0; x < map.width(); ++x)
     {
-        const std::string line = in.expect("line " + std::to_string(x + 1) + " of " + std::to_string(map.width()) + " of M");
+        const std::string line =
+            in.expect("line " + std::to_string(x + 1) + " of " + std::to_string(map.width()) + " of M");
         const auto costs = split(line, ", ");
         if (costs.size() != static_cast<std::size_t>(map.height()))
             in.fail("expected " + std::to_string(map.height()) + " costs, found " + std::to_string(costs.size()));
@@ -45,7 +46,8 @@ void readCosts(LineReader& in, GridMap& map, double threshold)
         {
             double cost = 0.0;
             if (!parse(costs[static_cast<std::size_t>(y)], cost))
-                in.fail("expected a number, found '" + std::string(costs[static_cast<std::size_t>(y)].substr(0, 40)) + "'");
+                in.fail("expected a number, found '" + std::string(costs[static_cast<std::size_t>(y)].substr(0, 40)) +
+                        "'");
             map.setFree(x, y, cost < threshold);
         }
     }

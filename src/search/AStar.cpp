@@ -10,7 +10,7 @@ namespace specplan::search
 using validity::Verdict;
 
 AStar::AStar(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker, double weight)
-  : lattice_(lattice), heuristic_(heuristic), broker_(broker), weight_(weight)
+    : lattice_(lattice), heuristic_(heuristic), broker_(broker), weight_(weight)
 {
 }
 

@@ -11,7 +11,7 @@ using lattice::NodeId;
 using validity::Verdict;
 
 DirectionPolicy::DirectionPolicy(lattice::Lattice& lattice, const validity::Broker& broker, unsigned lookahead)
-  : lattice_(lattice), broker_(broker), lookahead_(lookahead)
+    : lattice_(lattice), broker_(broker), lookahead_(lookahead)
 {
 }
 
@@ -43,7 +43,8 @@ void DirectionPolicy::proposeAround(NodeId node, std::size_t full, std::vector<C
 {
     const auto add = [&](CheckId check)
     {
-        if (out.size() < full && broker_.verdict(check) == Verdict::Unknown && std::ranges::find(out, check) == out.end())
+        if (out.size() < full && broker_.verdict(check) == Verdict::Unknown &&
+            std::ranges::find(out, check) == out.end())
             out.push_back(check);
     };
     lattice_.successors(node, around_);

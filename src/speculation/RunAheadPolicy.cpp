@@ -17,7 +17,7 @@ constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 RunAheadPolicy::RunAheadPolicy(lattice::Lattice& lattice, const validity::Broker& broker, const FrontierView& frontier,
                                Predictor& predictor)
-  : lattice_(lattice), broker_(broker), frontier_(frontier), predictor_(predictor)
+    : lattice_(lattice), broker_(broker), frontier_(frontier), predictor_(predictor)
 {
 }
 
@@ -191,8 +191,8 @@ void RunAheadPolicy::retract(NodeId root)
         lattice_.successors(id, around_);
         for (const lattice::Successors::Edge& edge : around_.edges)
         {
-            if (edge.node < nodes_.size() && nodes_[edge.node].parent == id && nodes_[edge.node].status != Status::Unseen &&
-                !frontier_.isExpanded(edge.node))
+            if (edge.node < nodes_.size() && nodes_[edge.node].parent == id &&
+                nodes_[edge.node].status != Status::Unseen && !frontier_.isExpanded(edge.node))
                 subtree_.push_back(edge.node);
             else if (isClosed(edge.node))
                 rim_.push_back(edge.node);

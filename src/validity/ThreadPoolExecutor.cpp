@@ -10,7 +10,7 @@
 namespace specplan::validity
 {
 ThreadPoolExecutor::ThreadPoolExecutor(Checker& checker, unsigned workers)
-  : checker_(checker), workers_(std::max(workers, 1U))
+    : checker_(checker), workers_(std::max(workers, 1U))
 {
     threads_.reserve(workers_);
 }

@@ -9,7 +9,7 @@
 namespace specplan::validity
 {
 VirtualExecutor::VirtualExecutor(Checker& checker, unsigned workers, Cost cost)
-  : checker_(checker), workers_(std::max(workers, 1U)), cost_(std::move(cost))
+    : checker_(checker), workers_(std::max(workers, 1U)), cost_(std::move(cost))
 {
 }
 

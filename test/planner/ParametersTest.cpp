@@ -19,8 +19,9 @@ TEST(Parameters, BadValuesAreRefusedAndTheOldOneStays)
     Scene scene;
     SpeculativeAStar planner(scene.setup.getSpaceInformation());
     auto& params = planner.params();
-    for (const char* name : {"num_threads", "lookahead", "weight", "resolution", "connectivity", "virtual_check_cost",
-                             "barrier", "corner_cutting", "rethrow_exceptions", "speculation_policy", "executor", "spacing"})
+    for (const char* name :
+         {"num_threads", "lookahead", "weight", "resolution", "connectivity", "virtual_check_cost", "barrier",
+          "corner_cutting", "rethrow_exceptions", "speculation_policy", "executor", "spacing"})
         for (const char* bad : {"-1", "nan", "inf", "7.9x", "maybe", "99999999999999999999", " 1"})
         {
             const std::string before = params[name].getValue();
@@ -65,11 +66,18 @@ TEST(Parameters, RoundTripThroughStrings)
 {
     Scene scene;
     SpeculativeAStar one(scene.setup.getSpaceInformation());
-    const std::map<std::string, std::string> values{
-        {"num_threads", "12"},    {"speculation_policy", "none"}, {"lookahead", "7"},        {"barrier", "1"},
-        {"weight", "2.5"},        {"resolution", "0.013"},        {"spacing", "0.1,0.25"},   {"connectivity", "1"},
-        {"corner_cutting", "0"},  {"executor", "virtual"},        {"virtual_check_cost", "0.005"},
-        {"rethrow_exceptions", "1"}};
+    const std::map<std::string, std::string> values{{"num_threads", "12"},
+                                                    {"speculation_policy", "none"},
+                                                    {"lookahead", "7"},
+                                                    {"barrier", "1"},
+                                                    {"weight", "2.5"},
+                                                    {"resolution", "0.013"},
+                                                    {"spacing", "0.1,0.25"},
+                                                    {"connectivity", "1"},
+                                                    {"corner_cutting", "0"},
+                                                    {"executor", "virtual"},
+                                                    {"virtual_check_cost", "0.005"},
+                                                    {"rethrow_exceptions", "1"}};
     ASSERT_TRUE(one.params().setParams(values));
     std::map<std::string, std::string> read;
     one.params().getParams(read);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What comes out is right: ends, cost, validity by the user's own motion validator, and the same for every number of threads.
+// What comes out is right: ends, cost, validity by the user's own motion validator, and the same for every number of
+// threads.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -53,8 +54,9 @@ TEST(Path, IsTheSameForEveryThreadCountPolicyAndExecutorWithMotionChecks)
                         ASSERT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
                         EXPECT_TRUE(scene.path().check());
                         const SearchReport& report = scene.planner->getReport();
-                        const std::string answer = std::to_string(report.orderHash) + " " + std::to_string(report.cost) +
-                                                   " " + std::to_string(report.checksUsed);
+                        const std::string answer = std::to_string(report.orderHash) + " " +
+                                                   std::to_string(report.cost) + " " +
+                                                   std::to_string(report.checksUsed);
                         if (sequential.empty())
                             sequential = answer;
                         EXPECT_EQ(answer, sequential) << threads << " " << policy << " " << executor;

@@ -21,7 +21,8 @@ namespace specplan::test
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-/// The unit cube of some dimension with a wall across the first axis that has a gap along the second; counts its checker's calls.
+/// The unit cube of some dimension with a wall across the first axis that has a gap along the second; counts its
+/// checker's calls.
 class Scene
 {
 public:

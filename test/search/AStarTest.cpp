@@ -58,9 +58,9 @@ lattice::GridSteps planeSteps()
 struct Plane
 {
     explicit Plane(unsigned workers, bool simulated, Coordinate goalX = 20)
-      : lattice(std::make_unique<lattice::GridNeighbourhood>(lattice::GridBox{{0, 0}, {29, 29}}, planeSteps()))
-      , checker(lattice)
-      , heuristic(lattice, {1.0, 1.0}, 2)
+        : lattice(std::make_unique<lattice::GridNeighbourhood>(lattice::GridBox{{0, 0}, {29, 29}}, planeSteps())),
+          checker(lattice),
+          heuristic(lattice, {1.0, 1.0}, 2)
     {
         if (simulated)
             executor = std::make_unique<validity::VirtualExecutor>(checker, workers, [](CheckId, bool) { return 1.0; });

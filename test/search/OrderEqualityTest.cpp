@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The master test: speculation is invisible. Expansions, path and cost are those of a plain serial A* for every number of threads,
-// every policy and every executor, whatever the checks' timing.
+// The master test: speculation is invisible. Expansions, path and cost are those of a plain serial A* for every number
+// of threads, every policy and every executor, whatever the checks' timing.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -48,7 +48,8 @@ std::vector<Configuration> allConfigurations()
                     executor = std::make_unique<validity::InlineExecutor>(*checker);
                 else if (kind == "virtual")
                     executor = std::make_unique<validity::VirtualExecutor>(
-                        *checker, workers, [](CheckId check, bool valid) { return check.isMotion() || valid ? 1.0 : 0.1; });
+                        *checker, workers,
+                        [](CheckId check, bool valid) { return check.isMotion() || valid ? 1.0 : 0.1; });
                 else
                     executor = std::make_unique<validity::ThreadPoolExecutor>(*checker, workers);
                 all.push_back({name, lookahead, barrier, std::move(checker), std::move(executor)});
@@ -64,7 +65,8 @@ Cell cellOf(const lattice::Lattice& lattice, NodeId node)
 
 void expectCountsAddUp(const validity::CheckStatistics& counts)
 {
-    EXPECT_EQ(counts.speculativeChecks, counts.speculativeUsed + counts.speculativeWasted() + counts.speculativeDropped);
+    EXPECT_EQ(counts.speculativeChecks,
+              counts.speculativeUsed + counts.speculativeWasted() + counts.speculativeDropped);
     EXPECT_GE(counts.speculativeChecks, counts.speculativeUsed + counts.speculativeDropped);
     EXPECT_EQ(counts.checksUsed, counts.usedReady + counts.usedAfterWait + counts.usedInline);
     EXPECT_EQ(counts.checksRun, counts.demandedChecks + counts.speculativeChecks - counts.speculativeDropped);

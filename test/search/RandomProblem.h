@@ -20,7 +20,8 @@
 
 namespace specplan::test
 {
-/// A box of cells with random obstacles, random bad motions, several starts and goals; everything follows from the seed.
+/// A box of cells with random obstacles, random bad motions, several starts and goals; everything follows from the
+/// seed.
 class RandomProblem
 {
 public:
@@ -51,20 +52,29 @@ public:
             goals_.insert(randomCell());  // valid or not, reachable or not
     }
 
-    [[nodiscard]] const std::vector<Cell>& starts() const { return starts_; }
-    [[nodiscard]] const std::set<Cell>& goals() const { return goals_; }
-    [[nodiscard]] double weight() const { return weight_; }
+    [[nodiscard]] const std::vector<Cell>& starts() const
+    {
+        return starts_;
+    }
+    [[nodiscard]] const std::set<Cell>& goals() const
+    {
+        return goals_;
+    }
+    [[nodiscard]] double weight() const
+    {
+        return weight_;
+    }
 
     /// Starts count as valid: the search is told so.
     [[nodiscard]] bool isStateValid(const Cell& cell) const
     {
-        return std::find(starts_.begin(), starts_.end(), cell) != starts_.end() ||
-               draw(cell, 1) >= density_;
+        return std::find(starts_.begin(), starts_.end(), cell) != starts_.end() || draw(cell, 1) >= density_;
     }
 
     [[nodiscard]] bool isMotionValid(const Cell& from, const Cell& to) const
     {
-        return motionDensity_ == 0.0 || static_cast<double>(util::mix(draw64(from, 2), draw64(to, 3))) * 0x1p-64 >= motionDensity_;
+        return motionDensity_ == 0.0 ||
+               static_cast<double>(util::mix(draw64(from, 2), draw64(to, 3))) * 0x1p-64 >= motionDensity_;
     }
 
     [[nodiscard]] lattice::GridSteps steps() const
@@ -72,7 +82,9 @@ public:
         lattice::GridSteps steps;
         steps.connectivity = connectivity_;
         steps.cornerCutting = cornerCutting_;
-        steps.cost = [this](std::span<const lattice::Coordinate> offset) { return stepCost({offset.begin(), offset.end()}); };
+        steps.cost = [this](std::span<const lattice::Coordinate> offset) {
+            return stepCost({offset.begin(), offset.end()});
+        };
         steps.motionCheck = [this](std::span<const lattice::Coordinate>) { return motionDensity_ > 0.0; };
         return steps;
     }
@@ -96,7 +108,10 @@ public:
     /// The same problem for the reference search, with neighbours of its own making.
     [[nodiscard]] CellProblem forReference() const
     {
-        return {starts_, goals_, weight_, [this](const Cell& cell) { return successors(cell); },
+        return {starts_,
+                goals_,
+                weight_,
+                [this](const Cell& cell) { return successors(cell); },
                 [this](const Cell& cell) { return estimate(cell); },
                 [this](const Cell& cell) { return isStateValid(cell); },
                 [this](const Cell& from, const Cell& to) { return cornersValid(from, to) && isMotionValid(from, to); }};
@@ -105,7 +120,8 @@ public:
 private:
     [[nodiscard]] std::uint64_t draw64(const Cell& cell, std::uint64_t salt) const
     {
-        return util::mix(util::mix(seed_, salt), util::hashCoordinates(std::vector<std::int32_t>(cell.begin(), cell.end())));
+        return util::mix(util::mix(seed_, salt),
+                         util::hashCoordinates(std::vector<std::int32_t>(cell.begin(), cell.end())));
     }
 
     [[nodiscard]] double draw(const Cell& cell, std::uint64_t salt) const
@@ -207,8 +223,8 @@ private:
     std::set<Cell> goals_;
 };
 
-/// Answers the checks of one problem after another, and proves the promises about calls: at most once per check, at most
-/// `limit` at once, none while closed.
+/// Answers the checks of one problem after another, and proves the promises about calls: at most once per check, at
+/// most `limit` at once, none while closed.
 class ProblemChecker : public validity::Checker
 {
 public:
@@ -226,7 +242,10 @@ public:
         open_ = true;
     }
 
-    void close() { open_ = false; }
+    void close()
+    {
+        open_ = false;
+    }
 
     bool check(validity::CheckId check, unsigned worker) override
     {
@@ -250,7 +269,10 @@ public:
         return valid;
     }
 
-    [[nodiscard]] int violations() const { return violations_; }
+    [[nodiscard]] int violations() const
+    {
+        return violations_;
+    }
 
 private:
     unsigned limit_;

@@ -14,17 +14,17 @@ namespace specplan::lattice
 /// dimension and with a spacing of its own for each axis.
 ///
 /// \param distance per axis, in lattice steps; need not be whole. \param spacing of each axis, greater than 0.
-/// With every combination of axes allowed in one step the cheapest way is to change all axes together as long as possible,
-/// then all but the one that has arrived, and so on: the length of a step is submodular in the set of axes that it changes,
-/// and this order is the greedy optimum for such functions (Lovász, 1983). With connectivity below the dimension this is a
-/// lower bound, and for connectivity 1 the weighted Manhattan distance is used instead.
+/// With every combination of axes allowed in one step the cheapest way is to change all axes together as long as
+/// possible, then all but the one that has arrived, and so on: the length of a step is submodular in the set of axes
+/// that it changes, and this order is the greedy optimum for such functions (Lovász, 1983). With connectivity below the
+/// dimension this is a lower bound, and for connectivity 1 the weighted Manhattan distance is used instead.
 [[nodiscard]] double gridDistance(std::span<const double> distance, std::span<const double> spacing,
                                   unsigned connectivity);
 
 /// Path length to the nearest of several goals on a grid; consistent for it.
 ///
-/// A goal between grid nodes is reached from the corners of its cell by a straight motion that may be shorter than any grid
-/// path; the greatest such saving is subtracted from the grid distance.
+/// A goal between grid nodes is reached from the corners of its cell by a straight motion that may be shorter than any
+/// grid path; the greatest such saving is subtracted from the grid distance.
 class GridHeuristic : public Heuristic
 {
 public:

@@ -36,8 +36,8 @@ struct GridSteps
 class GridNeighbourhood : public Neighbourhood
 {
 public:
-    /// \throws std::invalid_argument if the box is empty or its ends differ in size, connectivity is out of range, a step
-    /// costs nothing, or there would be more than 65536 steps.
+    /// \throws std::invalid_argument if the box is empty or its ends differ in size, connectivity is out of range, a
+    /// step costs nothing, or there would be more than 65536 steps.
     GridNeighbourhood(GridBox box, const GridSteps& steps);
 
     [[nodiscard]] std::size_t dimension() const noexcept override

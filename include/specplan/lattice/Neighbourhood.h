@@ -10,17 +10,17 @@
 
 namespace specplan::lattice
 {
-/// The steps out of one node, written by a Neighbourhood. Kept by the caller and used again: the buffers stay as large as they
-/// ever were, and `count` says how much of them holds.
+/// The steps out of one node, written by a Neighbourhood. Kept by the caller and used again: the buffers stay as large
+/// as they ever were, and `count` says how much of them holds.
 struct Steps
 {
     struct Step
     {
-        double cost;                ///< cost of the motion, greater than 0
-        std::uint32_t index;        ///< number of the motion among those of a node, below Neighbourhood::maxSteps()
-        std::uint32_t firstGuard;   ///< guards of this step: rows [firstGuard, firstGuard + guards) of `guards`
-        std::uint16_t guards;       ///< number of guards
-        bool motionCheck;           ///< whether the inside of the motion needs a check of its own
+        double cost;               ///< cost of the motion, greater than 0
+        std::uint32_t index;       ///< number of the motion among those of a node, below Neighbourhood::maxSteps()
+        std::uint32_t firstGuard;  ///< guards of this step: rows [firstGuard, firstGuard + guards) of `guards`
+        std::uint16_t guards;      ///< number of guards
+        bool motionCheck;          ///< whether the inside of the motion needs a check of its own
     };
 
     std::size_t count = 0;           ///< number of steps

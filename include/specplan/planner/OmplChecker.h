@@ -15,12 +15,12 @@ namespace specplan::planner
 {
 /// Answers checks through OMPL's state validity checkers and motion validators.
 ///
-/// OMPL's DiscreteMotionValidator counts its calls in plain integers, which is a data race when two threads use it. It is
-/// replaced by the same test: both ends, then the inner states of StateSpace::validSegmentCount(). Any other motion validator is
-/// called as it is: each worker's own if there is one, otherwise the shared one by one thread at a time.
+/// OMPL's DiscreteMotionValidator counts its calls in plain integers, which is a data race when two threads use it. It
+/// is replaced by the same test: both ends, then the inner states of StateSpace::validSegmentCount(). Any other motion
+/// validator is called as it is: each worker's own if there is one, otherwise the shared one by one thread at a time.
 ///
-/// A fresh state is made for each check: no two threads hold the same one, and checkers that keep notes in a state (as MoveIt's
-/// does) never find an old one.
+/// A fresh state is made for each check: no two threads hold the same one, and checkers that keep notes in a state (as
+/// MoveIt's does) never find an old one.
 ///
 /// Threads: `open` by the search thread while nothing runs; `check` by workers, each with its own number.
 class OmplChecker : public validity::Checker
@@ -29,7 +29,7 @@ public:
     /// What to check with.
     struct Sources
     {
-        std::vector<ompl::base::StateValidityCheckerPtr> checkers;   ///< one for each worker, or one for all
+        std::vector<ompl::base::StateValidityCheckerPtr> checkers;     ///< one for each worker, or one for all
         std::vector<ompl::base::MotionValidatorPtr> motionValidators;  ///< one for each worker, or one for all
     };
 

@@ -22,8 +22,8 @@
 
 namespace specplan::planner
 {
-/// Which objects a query was built for. Weak, so that a planner keeps no checker alive; the control block stays, so a new object at
-/// the old address is told apart.
+/// Which objects a query was built for. Weak, so that a planner keeps no checker alive; the control block stays, so a
+/// new object at the old address is told apart.
 struct Origins
 {
     std::weak_ptr<const void> checker;
@@ -62,10 +62,12 @@ public:
     void ensureExecutor();
     [[nodiscard]] Origins currentOrigins(const ompl::base::ProblemDefinition& pdef) const;
     [[nodiscard]] OmplChecker::Sources makeSources() const;
-    [[nodiscard]] std::optional<ompl::base::PlannerStatus> openQuery(ompl::base::PlannerInputStates& inputs, const ompl::base::ProblemDefinition& pdef,
-                                                             const ompl::base::PlannerTerminationCondition& ptc);
+    [[nodiscard]] std::optional<ompl::base::PlannerStatus> openQuery(
+        ompl::base::PlannerInputStates& inputs, const ompl::base::ProblemDefinition& pdef,
+        const ompl::base::PlannerTerminationCondition& ptc);
     bool takeStarts(ompl::base::PlannerInputStates& inputs, const ompl::base::ProblemDefinition& pdef);
-    bool takeGoals(ompl::base::PlannerInputStates& inputs, const ompl::base::Goal& goal, const ompl::base::PlannerTerminationCondition& ptc);
+    bool takeGoals(ompl::base::PlannerInputStates& inputs, const ompl::base::Goal& goal,
+                   const ompl::base::PlannerTerminationCondition& ptc);
     void publishCounts();
     [[nodiscard]] search::SearchStatus search(const ompl::base::PlannerTerminationCondition& ptc);
     [[nodiscard]] std::shared_ptr<ompl::geometric::PathGeometric> pathTo(lattice::NodeId node) const;
@@ -93,7 +95,7 @@ public:
 
     mutable std::unordered_map<lattice::NodeId, StateHandle> dataStates;  ///< states handed out by getPlannerData
     SearchReport report;
-    bool published = false;  ///< the solution has been given to OMPL
+    bool published = false;      ///< the solution has been given to OMPL
     double clockInSearch = 0.0;  ///< seconds on the executor's clock spent in run()
     Live live;
 };

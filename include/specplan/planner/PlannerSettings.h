@@ -10,8 +10,8 @@ namespace specplan
 /// Every knob of SpeculativeAStar with its default. The names in parentheses are the OMPL parameters.
 struct PlannerSettings
 {
-    /// How many checks may run at once (`num_threads`), 0 to 4096; 0 stands for the number of cores. 1 is sequential A*:
-    /// no thread is started.
+    /// How many checks may run at once (`num_threads`), 0 to 4096; 0 stands for the number of cores. 1 is sequential
+    /// A*: no thread is started.
     unsigned numThreads = 0;
 
     /// What to check ahead (`speculation_policy`): "none" or "direction".
@@ -29,16 +29,16 @@ struct PlannerSettings
     /// Lattice spacing as a fraction of the extent of each axis (`resolution`), 1e-6 to 1; 0 chooses by dimension.
     double resolution = 0.0;
 
-    /// Lattice spacing in the units of the axes (`spacing`: numbers separated by commas, one for all axes or one for each),
-    /// greater than 0. Empty: `resolution` decides.
+    /// Lattice spacing in the units of the axes (`spacing`: numbers separated by commas, one for all axes or one for
+    /// each), greater than 0. Empty: `resolution` decides.
     std::vector<double> spacing;
 
-    /// How many axes may change in one step (`connectivity`), 1 to the dimension; 0 chooses: all up to three dimensions, two
-    /// above.
+    /// How many axes may change in one step (`connectivity`), 1 to the dimension; 0 chooses: all up to three
+    /// dimensions, two above.
     unsigned connectivity = 0;
 
-    /// Whether a step along several axes may pass an invalid corner (`corner_cutting`). If not, the states at all corners of
-    /// the box that the step spans have to be valid.
+    /// Whether a step along several axes may pass an invalid corner (`corner_cutting`). If not, the states at all
+    /// corners of the box that the step spans have to be valid.
     bool cornerCutting = true;
 
     /// Who runs the checks (`executor`): "threads", or "virtual" for simulated time.

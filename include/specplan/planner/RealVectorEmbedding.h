@@ -14,13 +14,14 @@ namespace specplan::planner
 {
 /// Puts an axis-aligned grid over a bounded RealVectorStateSpace: which state stands for which lattice node.
 ///
-/// Threads: built by one; `write` may then be called by any. Terminals are added by the search thread before their nodes are
-/// handed to workers.
+/// Threads: built by one; `write` may then be called by any. Terminals are added by the search thread before their
+/// nodes are handed to workers.
 class RealVectorEmbedding
 {
 public:
     /// \param origin the grid goes exactly through this state.
-    /// \throws ompl::Exception if the grid would have more than 2^30 cells along an axis, or spacing does not fit the space.
+    /// \throws ompl::Exception if the grid would have more than 2^30 cells along an axis, or spacing does not fit the
+    /// space.
     RealVectorEmbedding(const ompl::base::SpaceInformation& si, const PlannerSettings& settings,
                         const ompl::base::State* origin);
 
@@ -56,8 +57,8 @@ public:
     /// Length of a step in the metric of the space.
     [[nodiscard]] double stepLength(std::span<const lattice::Coordinate> offset) const noexcept;
 
-    /// The corners of the grid cell around a position that lie inside the bounds: those that a straight motion may join it to.
-    /// Above ten dimensions only the nearest corner and its neighbours along one axis.
+    /// The corners of the grid cell around a position that lie inside the bounds: those that a straight motion may join
+    /// it to. Above ten dimensions only the nearest corner and its neighbours along one axis.
     [[nodiscard]] std::vector<std::vector<lattice::Coordinate>> corners(const std::vector<double>& position) const;
 
     /// Registers the state of the next terminal that the lattice makes.

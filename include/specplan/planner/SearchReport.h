@@ -7,7 +7,8 @@
 
 namespace specplan
 {
-/// What the last solve() did, and what it cost. Counts and times add up over the calls of solve() that continue one query.
+/// What the last solve() did, and what it cost. Counts and times add up over the calls of solve() that continue one
+/// query.
 struct SearchReport
 {
     /// "not started", "solved", "infeasible", "timeout", "invalid start", "invalid goal", "unrecognized goal", "crash".
@@ -30,16 +31,17 @@ struct SearchReport
     double coverage = 0.0;                  ///< used verdicts that came from speculation / all used verdicts
     double timeliness = 1.0;                ///< speculative verdicts ready when first demanded / used
 
-    double wallTime = 0.0;        ///< seconds in solve()
-    double searchTime = 0.0;      ///< seconds of the search's own work
-    double waitTime = 0.0;        ///< seconds in which the search stood still for checks
-    double virtualTime = 0.0;     ///< seconds on the virtual clock; 0 with real threads
-    double sequentialTime = 0.0;  ///< seconds that sequential A* takes: its checks one after the other, plus the search's work
-    double speedup = 1.0;         ///< sequentialTime / time taken, on the clock of the executor
-    double efficiency = 1.0;      ///< speedup / threads
+    double wallTime = 0.0;     ///< seconds in solve()
+    double searchTime = 0.0;   ///< seconds of the search's own work
+    double waitTime = 0.0;     ///< seconds in which the search stood still for checks
+    double virtualTime = 0.0;  ///< seconds on the virtual clock; 0 with real threads
+    double sequentialTime =
+        0.0;               ///< seconds that sequential A* takes: its checks one after the other, plus the search's work
+    double speedup = 1.0;  ///< sequentialTime / time taken, on the clock of the executor
+    double efficiency = 1.0;  ///< speedup / threads
 
-    unsigned threads = 1;          ///< how many checks could run at once
-    std::uint64_t orderHash = 0;   ///< hash of the sequence of expansions: equal for equal sequences
-    std::uint64_t nodes = 0;       ///< lattice nodes touched
+    unsigned threads = 1;         ///< how many checks could run at once
+    std::uint64_t orderHash = 0;  ///< hash of the sequence of expansions: equal for equal sequences
+    std::uint64_t nodes = 0;      ///< lattice nodes touched
 };
 }  // namespace specplan

@@ -23,19 +23,19 @@ class PlannerSession;
 
 /// A* on a lattice over an OMPL state space, with the validity checks that it is about to need run ahead in parallel.
 ///
-/// Idea: planning with expensive checks is checking. The search expands states in exactly the order of sequential A*; while it
-/// waits for a check, idle workers run the checks that it will probably ask for next. Path, cost and optimality are those of
-/// sequential A* for every number of threads; only the time changes.
+/// Idea: planning with expensive checks is checking. The search expands states in exactly the order of sequential A*;
+/// while it waits for a check, idle workers run the checks that it will probably ask for next. Path, cost and
+/// optimality are those of sequential A* for every number of threads; only the time changes.
 ///
 /// Reference: M. Bakhshalipour, M. Qadri, D. Guri, "Speculative Path Planning", arXiv:2102.06261.
 ///
-/// Assumptions: the state space is a RealVectorStateSpace with bounds. The goal is a state or a set of states. The lattice goes
-/// through the first start exactly; other starts, and goals that lie off the lattice, are joined to the corners of their cell by
-/// validated motions. The answer is optimal on this lattice (within `weight`).
+/// Assumptions: the state space is a RealVectorStateSpace with bounds. The goal is a state or a set of states. The
+/// lattice goes through the first start exactly; other starts, and goals that lie off the lattice, are joined to the
+/// corners of their cell by validated motions. The answer is optimal on this lattice (within `weight`).
 ///
-/// Threads: the planner's members are for one thread at a time. During solve() the state validity checker is called from up to
-/// `num_threads` threads, as OMPL asks of checkers; give one for each worker with setStateValidityCheckerAllocator if yours
-/// cannot do that. No check runs outside solve().
+/// Threads: the planner's members are for one thread at a time. During solve() the state validity checker is called
+/// from up to `num_threads` threads, as OMPL asks of checkers; give one for each worker with
+/// setStateValidityCheckerAllocator if yours cannot do that. No check runs outside solve().
 class SpeculativeAStar : public ompl::base::Planner
 {
 public:
@@ -50,10 +50,11 @@ public:
     SpeculativeAStar(const ompl::base::SpaceInformationPtr& si, const PlannerSettings& settings);
     ~SpeculativeAStar() override;
 
-    /// Searches until a goal is reached, none can be, or `ptc` says stop; a later call goes on. `ptc` is evaluated in the calling
-    /// thread only, once per expansion (and now and then while an expansion takes longer than 50 ms).
-    /// \return EXACT_SOLUTION; APPROXIMATE_SOLUTION or TIMEOUT if stopped; INFEASIBLE (ABORT before OMPL 1.6) if no goal can be
-    /// reached on this lattice; INVALID_START; INVALID_GOAL; UNRECOGNIZED_GOAL_TYPE; CRASH if a check threw.
+    /// Searches until a goal is reached, none can be, or `ptc` says stop; a later call goes on. `ptc` is evaluated in
+    /// the calling thread only, once per expansion (and now and then while an expansion takes longer than 50 ms).
+    /// \return EXACT_SOLUTION; APPROXIMATE_SOLUTION or TIMEOUT if stopped; INFEASIBLE (ABORT before OMPL 1.6) if no
+    /// goal can be reached on this lattice; INVALID_START; INVALID_GOAL; UNRECOGNIZED_GOAL_TYPE; CRASH if a check
+    /// threw.
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
     using ompl::base::Planner::solve;
 
@@ -75,8 +76,8 @@ public:
     /// Gives every worker a checker of its own; an empty function goes back to the shared one.
     void setStateValidityCheckerAllocator(StateValidityCheckerAllocator allocator);
 
-    /// Gives every worker a motion validator of its own. Without it a validator other than OMPL's discrete one, which this planner
-    /// replaces by the same test without its counters, is called by one worker at a time.
+    /// Gives every worker a motion validator of its own. Without it a validator other than OMPL's discrete one, which
+    /// this planner replaces by the same test without its counters, is called by one worker at a time.
     void setMotionValidatorAllocator(MotionValidatorAllocator allocator);
 
     /// What the last solve() did.
@@ -85,10 +86,10 @@ public:
     /// What became of a lattice state during the search.
     enum class StateFate
     {
-        Expanded,       ///< taken off OPEN
-        Open,           ///< reached, valid, not expanded
-        Invalid,        ///< checked, needed, and invalid
-        CheckedUnused   ///< checked ahead and never needed
+        Expanded,      ///< taken off OPEN
+        Open,          ///< reached, valid, not expanded
+        Invalid,       ///< checked, needed, and invalid
+        CheckedUnused  ///< checked ahead and never needed
     };
 
     /// Calls `visit` for every lattice state that was expanded or checked; the state is valid during the call only.

@@ -18,7 +18,7 @@ public:
 
     /// A copy of `state`.
     StateHandle(const ompl::base::SpaceInformation& si, const ompl::base::State* state)
-      : si_(&si), state_(si.cloneState(state))
+        : si_(&si), state_(si.cloneState(state))
     {
     }
 

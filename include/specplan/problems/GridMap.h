@@ -16,7 +16,7 @@ class GridMap
 public:
     /// All cells blocked. \param width, height at least 1.
     GridMap(int width, int height)
-      : width_(width), height_(height), free_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+        : width_(width), height_(height), free_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
     {
     }
 

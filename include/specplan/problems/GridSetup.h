@@ -27,11 +27,12 @@ struct ArtificialCheck
     bool busy = false;  ///< burn CPU instead of sleeping
 };
 
-/// Makes an OMPL problem of a grid: the state (x, y) is the middle of that cell, the plane is as large as the map, a state is valid
-/// if its cell is free. The validity resolution is coarser than a step, so a step needs no check besides its end.
-/// \throws InputError if start or goal is blocked or off the map; `name` is the file to blame.
-[[nodiscard]] std::shared_ptr<ompl::geometric::SimpleSetup> makeGridSetup(const GridProblem& problem, const std::string& name,
-                                                                          GridCost cost, ArtificialCheck check);
+/// Makes an OMPL problem of a grid: the state (x, y) is the middle of that cell, the plane is as large as the map, a
+/// state is valid if its cell is free. The validity resolution is coarser than a step, so a step needs no check besides
+/// its end. \throws InputError if start or goal is blocked or off the map; `name` is the file to blame.
+[[nodiscard]] std::shared_ptr<ompl::geometric::SimpleSetup> makeGridSetup(const GridProblem& problem,
+                                                                          const std::string& name, GridCost cost,
+                                                                          ArtificialCheck check);
 
 /// Planner settings for such a set-up: one lattice node a cell, eight neighbours.
 [[nodiscard]] PlannerSettings gridPlannerSettings(bool cornerCutting);

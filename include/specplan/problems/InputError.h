@@ -14,7 +14,7 @@ public:
 
     /// \param line from 1; 0 if the whole file is meant.
     InputError(const std::string& file, std::size_t line, const std::string& text)
-      : std::runtime_error(file + (line > 0 ? ":" + std::to_string(line) : std::string()) + ": " + text)
+        : std::runtime_error(file + (line > 0 ? ":" + std::to_string(line) : std::string()) + ": " + text)
     {
     }
 };

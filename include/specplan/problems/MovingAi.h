@@ -20,9 +20,9 @@ struct ScenarioEntry
     double optimalLength;  ///< octile, without corner cutting
 };
 
-/// Reads a map of the Moving AI Lab's benchmarks ("type octile"): '.', 'G' and 'S' are free; '@', 'O', 'T' and 'W' are blocked.
-/// Source: N. Sturtevant, "Benchmarks for Grid-Based Pathfinding", 2012.
-/// \throws InputError naming file and line.
+/// Reads a map of the Moving AI Lab's benchmarks ("type octile"): '.', 'G' and 'S' are free; '@', 'O', 'T' and 'W' are
+/// blocked. Source: N. Sturtevant, "Benchmarks for Grid-Based Pathfinding", 2012. \throws InputError naming file and
+/// line.
 [[nodiscard]] GridMap readMovingAiMap(const std::string& path);
 
 /// Writes such a map. \throws InputError if the file cannot be written.

@@ -31,12 +31,12 @@ enum class SearchStatus
 /// Idea: the textbook's loop. States and motions are checked when an expansion first needs them; a Broker provides the
 /// verdicts and may have run them ahead. Nothing here depends on when or where a check ran.
 ///
-/// Reference: Hart, Nilsson, Raphael 1968 (A*); Pohl 1970 (weights). The numbers in the comments of the body are those of
-/// docs/algorithm.md.
+/// Reference: Hart, Nilsson, Raphael 1968 (A*); Pohl 1970 (weights). The numbers in the comments of the body are those
+/// of docs/algorithm.md.
 ///
-/// Holds between calls: the heuristic is constant; closed nodes are never opened again, which with a consistent heuristic
-/// keeps the cost within `weight` times the optimum (Likhachev, Gordon, Thrun 2003). OPEN is totally ordered: smaller
-/// f = g + weight h first, then larger g, then older entry (an improved node counts as a new entry).
+/// Holds between calls: the heuristic is constant; closed nodes are never opened again, which with a consistent
+/// heuristic keeps the cost within `weight` times the optimum (Likhachev, Gordon, Thrun 2003). OPEN is totally ordered:
+/// smaller f = g + weight h first, then larger g, then older entry (an improved node counts as a new entry).
 ///
 /// Threads: one, the search thread.
 class AStar : public speculation::FrontierView

@@ -7,9 +7,9 @@
 
 namespace specplan::speculation
 {
-/// The rule of "Speculative Path Planning" (Bakhshalipour, Qadri, Guri; Algorithm 2): the search is likely to go on the way it
-/// came. From the expanded node it steps along the direction parent -> node, up to `lookahead` times, and proposes the unknown
-/// checks around each step, nearest step first.
+/// The rule of "Speculative Path Planning" (Bakhshalipour, Qadri, Guri; Algorithm 2): the search is likely to go on the
+/// way it came. From the expanded node it steps along the direction parent -> node, up to `lookahead` times, and
+/// proposes the unknown checks around each step, nearest step first.
 class DirectionPolicy : public Policy
 {
 public:

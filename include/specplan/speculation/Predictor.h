@@ -11,7 +11,8 @@ class Predictor
 public:
     virtual ~Predictor() = default;
 
-    /// Whether the state of this node is likely to be valid, when it is met from `from` (whose state is valid or predicted so).
+    /// Whether the state of this node is likely to be valid, when it is met from `from` (whose state is valid or
+    /// predicted so).
     [[nodiscard]] virtual bool isLikelyValid(lattice::NodeId from, lattice::NodeId node) const = 0;
 
     /// A verdict has come in.

@@ -15,12 +15,13 @@
 
 namespace specplan::speculation
 {
-/// Runs a shadow of the search ahead of it and proposes the checks that the shadow meets, in the order in which it meets them.
+/// Runs a shadow of the search ahead of it and proposes the checks that the shadow meets, in the order in which it
+/// meets them.
 ///
-/// Idea: if every open check came out as predicted, A* would go on in a way that is known in advance. So A* itself runs ahead,
-/// with an OPEN list and g-values of its own, and takes unknown states for what the predictor says. The shadow lives on from call
-/// to call. While predictions hold, the search merely follows it. When a verdict contradicts its prediction, what the shadow had
-/// reached through that state is taken back and joined again to what is still right.
+/// Idea: if every open check came out as predicted, A* would go on in a way that is known in advance. So A* itself runs
+/// ahead, with an OPEN list and g-values of its own, and takes unknown states for what the predictor says. The shadow
+/// lives on from call to call. While predictions hold, the search merely follows it. When a verdict contradicts its
+/// prediction, what the shadow had reached through that state is taken back and joined again to what is still right.
 ///
 /// Nothing depends on the shadow being exact: it only decides what is checked ahead.
 ///
@@ -55,8 +56,8 @@ private:
         double h = -1.0;  ///< weighted; negative: not asked yet
         lattice::NodeId parent = lattice::kNoNode;
         Status status = Status::Unseen;
-        bool heldBack = false;        ///< reached, but predicted to be invalid
-        std::uint64_t closedAs = 0;   ///< number of the shadow's expansion that closed it
+        bool heldBack = false;       ///< reached, but predicted to be invalid
+        std::uint64_t closedAs = 0;  ///< number of the shadow's expansion that closed it
     };
 
     /// A check that the shadow has met and that is not handed out yet; the one met first comes first.

@@ -14,8 +14,8 @@ class CheckSource
 public:
     virtual ~CheckSource() = default;
 
-    /// Appends up to `count` checks that the search is likely to need, most wanted first. Asked only while the search has to
-    /// wait and workers are free.
+    /// Appends up to `count` checks that the search is likely to need, most wanted first. Asked only while the search
+    /// has to wait and workers are free.
     virtual void propose(std::size_t count, std::vector<lattice::CheckId>& out) = 0;
 
     /// Whether to ask again during a wait, as soon as workers fall free; otherwise once at its beginning.

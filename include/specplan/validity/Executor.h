@@ -51,7 +51,8 @@ public:
     virtual void promote(CheckId check) = 0;
 
     /// Appends what has finished since the last call, in order of finishing.
-    /// \param patience how long to wait for the first completion; 0 does not wait. Nothing to wait for: returns at once.
+    /// \param patience how long to wait for the first completion; 0 does not wait. Nothing to wait for: returns at
+    /// once.
     virtual void collect(std::vector<Completion>& out, std::chrono::milliseconds patience) = 0;
 
     /// Takes back the checks that have not started, and appends them to `dropped`.

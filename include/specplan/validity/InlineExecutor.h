@@ -7,8 +7,8 @@ namespace specplan::validity
 {
 /// Runs each check in the calling thread: sequential A*. No thread, no lock.
 ///
-/// Reading the clock costs as much as a cheap check: of checks below a microsecond every 16th is measured and stands for the
-/// others.
+/// Reading the clock costs as much as a cheap check: of checks below a microsecond every 16th is measured and stands
+/// for the others.
 class InlineExecutor : public Executor
 {
 public:

@@ -14,8 +14,8 @@ namespace specplan::validity
 /// A persistent pool of worker threads. Threads start on first use, sleep when there is nothing to do, and end with the
 /// executor.
 ///
-/// Threads: the search thread owns the executor; workers share only what `mutex_` guards. A worker never touches verdicts,
-/// the lattice's growing parts or statistics: it runs the check and leaves a Completion.
+/// Threads: the search thread owns the executor; workers share only what `mutex_` guards. A worker never touches
+/// verdicts, the lattice's growing parts or statistics: it runs the check and leaves a Completion.
 class ThreadPoolExecutor : public Executor
 {
 public:

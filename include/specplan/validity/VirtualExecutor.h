@@ -12,9 +12,9 @@ namespace specplan::validity
 {
 /// N workers on a virtual clock: every verdict is real, time is simulated.
 ///
-/// A check runs for real in the calling thread when a virtual worker takes it, and counts as finished once the virtual clock
-/// has advanced by its cost. The clock advances only when the search waits, so the search itself takes no time. With a
-/// deterministic cost two runs are the same, event for event.
+/// A check runs for real in the calling thread when a virtual worker takes it, and counts as finished once the virtual
+/// clock has advanced by its cost. The clock advances only when the search waits, so the search itself takes no time.
+/// With a deterministic cost two runs are the same, event for event.
 class VirtualExecutor : public Executor
 {
 public:
