@@ -89,13 +89,13 @@ private:
 
 void requireFree(const GridMap& map, const GridCell& cell, const std::string& name, const std::string& what)
 {
-    const std::string place = what + " " + std::to_string(cell[0]) + "," + std::to_string(cell[1]);
+    const std::string place = concat(what, " ", cell[0], ",", cell[1]);
     if (!map.contains(cell[0], cell[1]))
         throw InputError(name, 0,
-                         "expected a " + what + " inside the map of " + std::to_string(map.width()) + " x " +
-                             std::to_string(map.height()) + " cells, found " + place);
+                         concat("expected a ", what, " inside the map of ", map.width(), " x ", map.height(),
+                                " cells, found ", place));
     if (!map.isFree(cell[0], cell[1]))
-        throw InputError(name, 0, "expected a free " + what + " cell, but " + place + " is an obstacle");
+        throw InputError(name, 0, concat("expected a free ", what, " cell, but ", place, " is an obstacle"));
 }
 
 ob::OptimizationObjectivePtr makeObjective(const ob::SpaceInformationPtr& si, GridCost cost)

@@ -17,28 +17,27 @@ constexpr std::string_view kBlocked = "@OTW";
 
 int readSize(LineReader& in, const std::string& name)
 {
-    const std::string expected = "'" + name + " N' with N from 1";
+    const std::string expected = concat("'", name, " N' with N from 1");
     const std::string line = in.expect(expected);
     const auto parts = split(line, " \t");
     int size = 0;
     if (parts.size() != 2 || parts[0] != name || !parse(parts[1], size) || size < 1)
-        in.fail("expected " + expected + ", found '" + line + "'");
+        in.fail("expected ", expected, ", found '", line, "'");
     return size;
 }
 
 void readRow(LineReader& in, GridMap& map, int y)
 {
-    const std::string row = in.expect("row " + std::to_string(y + 1) + " of " + std::to_string(map.height()));
+    const std::string row = in.expect("row ", y + 1, " of ", map.height());
     if (row.size() != static_cast<std::size_t>(map.width()))
-        in.fail("expected a row of " + std::to_string(map.width()) + " cells, found " + std::to_string(row.size()));
+        in.fail("expected a row of ", map.width(), " cells, found ", row.size());
     for (int x = 0; x < map.width(); ++x)
     {
         const char cell = row[static_cast<std::size_t>(x)];
         if (kFree.find(cell) != std::string_view::npos)
             map.setFree(x, y, true);
         else if (kBlocked.find(cell) == std::string_view::npos)
-            in.fail(std::string("expected one of . G S @ O T W, found '") + cell + "' in column " +
-                    std::to_string(x + 1));
+            in.fail("expected one of . G S @ O T W, found '", cell, "' in column ", x + 1);
     }
 }
 
@@ -51,7 +50,7 @@ ScenarioEntry readEntry(const LineReader& in, const std::string& line)
                       parse(parts[5], entry.start[1]) && parse(parts[6], entry.goal[0]) &&
                       parse(parts[7], entry.goal[1]) && parse(parts[8], entry.optimalLength);
     if (!good)
-        in.fail("expected 'bucket map width height start-x start-y goal-x goal-y length', found '" + line + "'");
+        in.fail("expected 'bucket map width height start-x start-y goal-x goal-y length', found '", line, "'");
     entry.map = parts[1];
     return entry;
 }
@@ -61,19 +60,19 @@ GridMap readMovingAiMap(const std::string& path)
 {
     LineReader in(path);
     if (const std::string line = in.expect("'type octile'"); split(line, " \t") != split("type octile", " "))
-        in.fail("expected 'type octile', found '" + line.substr(0, 40) + "'");
+        in.fail("expected 'type octile', found '", line.substr(0, 40), "'");
     const int height = readSize(in, "height");
     const int width = readSize(in, "width");
     if (static_cast<double>(height) * width > kMaxCells)
-        in.fail("expected at most 2^28 cells, found " + std::to_string(width) + " x " + std::to_string(height));
+        in.fail("expected at most 2^28 cells, found ", width, " x ", height);
     if (const std::string line = in.expect("'map'"); line != "map")
-        in.fail("expected 'map', found '" + line.substr(0, 40) + "'");
+        in.fail("expected 'map', found '", line.substr(0, 40), "'");
     GridMap map(width, height);
     for (int y = 0; y < height; ++y)
         readRow(in, map, y);
     for (std::string rest; in.next(rest);)
         if (!split(rest, " \t").empty())
-            in.fail("expected the end of the file after " + std::to_string(height) + " rows");
+            in.fail("expected the end of the file after ", height, " rows");
     return map;
 }
 
@@ -98,7 +97,7 @@ std::vector<ScenarioEntry> readMovingAiScenario(const std::string& path)
     const std::string first = in.expect("'version 1'");
     const auto version = split(first, " \t");
     if (version.size() != 2 || version[0] != "version" || (version[1] != "1" && version[1] != "1.0"))
-        in.fail("expected 'version 1', found '" + first.substr(0, 40) + "'");
+        in.fail("expected 'version 1', found '", first.substr(0, 40), "'");
     std::vector<ScenarioEntry> entries;
     for (std::string line; in.next(line);)
         if (!split(line, " \t").empty())

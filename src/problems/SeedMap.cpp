@@ -11,8 +11,8 @@ constexpr double kMaxCells = 1 << 28;
 
 void readHeading(LineReader& in, const std::string& heading)
 {
-    if (const std::string line = in.expect("'" + heading + "'"); line != heading)
-        in.fail("expected '" + heading + "', found '" + line.substr(0, 40) + "'");
+    if (const std::string line = in.expect("'", heading, "'"); line != heading)
+        in.fail("expected '", heading, "', found '", line.substr(0, 40), "'");
 }
 
 GridCell parsePair(const LineReader& in, const std::string& line, const std::string& what)
@@ -20,7 +20,7 @@ GridCell parsePair(const LineReader& in, const std::string& line, const std::str
     const auto parts = split(line, ", ");
     GridCell pair{};
     if (parts.size() != 2 || !parse(parts[0], pair[0]) || !parse(parts[1], pair[1]))
-        in.fail("expected " + what + " as two whole numbers 'a,b', found '" + line.substr(0, 40) + "'");
+        in.fail("expected ", what, " as two whole numbers 'a,b', found '", line.substr(0, 40), "'");
     return pair;
 }
 
@@ -28,8 +28,8 @@ GridCell parseCell(const LineReader& in, const std::string& line, const std::str
 {
     const GridCell pair = parsePair(in, line, what);
     if (pair[0] < 1 || pair[0] > size[0] || pair[1] < 1 || pair[1] > size[1])
-        in.fail("expected " + what + " inside the map, 1,1 to " + std::to_string(size[0]) + "," +
-                std::to_string(size[1]) + ", found '" + line.substr(0, 40) + "'");
+        in.fail("expected ", what, " inside the map, 1,1 to ", size[0], ",", size[1], ", found '", line.substr(0, 40),
+                "'");
     return {pair[0] - 1, pair[1] - 1};
 }
 
@@ -37,17 +37,15 @@ void readCosts(LineReader& in, GridMap& map, double threshold)
 {
     for (int x = 0; x < map.width(); ++x)
     {
-        const std::string line =
-            in.expect("line " + std::to_string(x + 1) + " of " + std::to_string(map.width()) + " of M");
+        const std::string line = in.expect("line ", x + 1, " of ", map.width(), " of M");
         const auto costs = split(line, ", ");
         if (costs.size() != static_cast<std::size_t>(map.height()))
-            in.fail("expected " + std::to_string(map.height()) + " costs, found " + std::to_string(costs.size()));
+            in.fail("expected ", map.height(), " costs, found ", costs.size());
         for (int y = 0; y < map.height(); ++y)
         {
             double cost = 0.0;
             if (!parse(costs[static_cast<std::size_t>(y)], cost))
-                in.fail("expected a number, found '" + std::string(costs[static_cast<std::size_t>(y)].substr(0, 40)) +
-                        "'");
+                in.fail("expected a number, found '", costs[static_cast<std::size_t>(y)].substr(0, 40), "'");
             map.setFree(x, y, cost < threshold);
         }
     }
@@ -64,7 +62,7 @@ GridProblem readSeedMap(const std::string& path)
     readHeading(in, "C");
     double threshold = 0.0;
     if (const std::string line = in.expect("the collision threshold"); !parse(line, threshold))
-        in.fail("expected the collision threshold, a number, found '" + line.substr(0, 40) + "'");
+        in.fail("expected the collision threshold, a number, found '", line.substr(0, 40), "'");
     readHeading(in, "R");
     const GridCell start = parseCell(in, in.expect("the robot's cell"), "the robot's cell", size);
     readHeading(in, "T");

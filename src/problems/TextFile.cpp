@@ -7,8 +7,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "specplan/problems/InputError.h"
-
 namespace specplan::problems
 {
 namespace
@@ -22,7 +20,7 @@ bool parseWhole(std::string_view text, T& number)
 
 std::string temporaryName(const std::string& path)
 {
-    return path + ".part";
+    return concat(path, ".part");
 }
 }  // namespace
 
@@ -46,20 +44,15 @@ bool LineReader::next(std::string& line)
     return true;
 }
 
-std::string LineReader::expect(const std::string& what)
+std::string LineReader::expectLine(const std::string& what)
 {
     std::string line;
     if (!next(line))
     {
         ++line_;
-        fail("expected " + what + ", found the end of the file");
+        fail("expected ", what, ", found the end of the file");
     }
     return line;
-}
-
-void LineReader::fail(const std::string& text) const
-{
-    throw InputError(path_, line_, text);
 }
 
 std::vector<std::string_view> split(std::string_view line, std::string_view separators)

@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace specplan::problems
 {
+/// All parts one after the other, as `<<` prints them.
+template <typename... Parts>
+[[nodiscard]] std::string concat(const Parts&... parts)
+{
+    std::ostringstream text;
+    (text << ... << parts);
+    return text.str();
+}
+
 /// Bad input, said in one line: "FILE:LINE: what was expected, what was found".
 class InputError : public std::runtime_error
 {
@@ -14,7 +24,7 @@ public:
 
     /// \param line from 1; 0 if the whole file is meant.
     InputError(const std::string& file, std::size_t line, const std::string& text)
-        : std::runtime_error(file + (line > 0 ? ":" + std::to_string(line) : std::string()) + ": " + text)
+        : std::runtime_error(line > 0 ? concat(file, ":", line, ": ", text) : concat(file, ": ", text))
     {
     }
 };

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "specplan/problems/InputError.h"
+
 namespace specplan::problems
 {
 /// Reads a text file line by line and knows where it is, for messages.
@@ -21,12 +23,22 @@ public:
     bool next(std::string& line);
 
     /// Next line. \throws InputError that says what was expected, at the end of the file.
-    std::string expect(const std::string& what);
+    template <typename... Parts>
+    std::string expect(const Parts&... what)
+    {
+        return expectLine(concat(what...));
+    }
 
     /// An InputError at the line read last.
-    [[noreturn]] void fail(const std::string& text) const;
+    template <typename... Parts>
+    [[noreturn]] void fail(const Parts&... text) const
+    {
+        throw InputError(path_, line_, concat(text...));
+    }
 
 private:
+    std::string expectLine(const std::string& what);
+
     std::string path_;
     std::ifstream in_;
     std::size_t line_ = 0;
