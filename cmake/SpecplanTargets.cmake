@@ -6,6 +6,10 @@ function(specplan_warnings target)
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wswitch-enum
     $<$<BOOL:${SPECPLAN_WERROR}>:-Werror>
   )
+  # GCC 12 reports overlaps in std::string's operator+ that do not exist (GCC bug 105651).
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    target_compile_options(${target} PRIVATE -Wno-restrict)
+  endif()
 endfunction()
 
 # specplan_add_directories(DIR...): adds each folder that has a CMakeLists.txt.

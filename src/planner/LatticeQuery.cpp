@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "specplan/speculation/DirectionPolicy.h"
+#include "specplan/speculation/RunAheadPolicy.h"
 
 namespace specplan::planner
 {
@@ -39,10 +40,17 @@ LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjec
     }
     checker.open(lattice_, embedding_, std::move(sources));
     broker_.setBarrier(settings.barrier);
-    if (!executor.runsInline() && settings.speculationPolicy == "direction")
-        policy_ = std::make_unique<speculation::DirectionPolicy>(lattice_, broker_, settings.lookahead);
-    broker_.setSource(policy_.get());
+    speculates_ = !executor.runsInline();
     beginSearch();
+}
+
+std::unique_ptr<speculation::Policy> LatticeQuery::makePolicy()
+{
+    if (speculates_ && settings_.speculationPolicy == "direction")
+        return std::make_unique<speculation::DirectionPolicy>(lattice_, broker_, settings_.lookahead);
+    if (speculates_ && settings_.speculationPolicy == "runahead")
+        return std::make_unique<speculation::RunAheadPolicy>(lattice_, broker_, *search_, predictor_);
+    return nullptr;
 }
 
 std::unique_ptr<lattice::GridNeighbourhood> LatticeQuery::makeNeighbourhood(bool discreteMotions) const
@@ -146,6 +154,8 @@ void LatticeQuery::beginSearch()
     const lattice::Heuristic& heuristic =
         motionCost_ ? static_cast<const lattice::Heuristic&>(objectiveHeuristic_) : gridHeuristic_;
     search_ = std::make_unique<search::AStar>(lattice_, heuristic, broker_, settings_.weight);
+    policy_ = makePolicy();
+    broker_.setSource(policy_.get());
     search_->setPolicy(policy_.get());
     for (const NodeId goal : goalNodes_)
         search_->addGoal(goal);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/planner/PlannerParameters.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <locale>
@@ -96,6 +97,18 @@ std::string spacingText(const std::vector<double>& spacing)
     return out;
 }
 
+std::string joined(const std::vector<std::string>& names)
+{
+    std::string out;
+    for (const std::string& name : names)
+    {
+        if (!out.empty())
+            out += ',';
+        out += name;
+    }
+    return out;
+}
+
 void requireRange(const std::string& name, double value, double low, double high, bool zeroToo)
 {
     const bool inside = value >= low && value <= high;  // false for NaN
@@ -177,8 +190,8 @@ private:
 void validate(const PlannerSettings& settings)
 {
     requireRange("num_threads", settings.numThreads, 0, kMaxThreads, true);
-    if (settings.speculationPolicy != "none" && settings.speculationPolicy != "direction")
-        refuse("speculation_policy", "none or direction", settings.speculationPolicy);
+    if (std::ranges::find(speculationPolicies(), settings.speculationPolicy) == speculationPolicies().end())
+        refuse("speculation_policy", "one of " + joined(speculationPolicies()), settings.speculationPolicy);
     requireRange("lookahead", settings.lookahead, 1, kMaxLookahead, false);
     requireRange("weight", settings.weight, 1, kMaxWeight, false);
     requireRange("resolution", settings.resolution, kMinResolution, 1, true);
@@ -196,7 +209,7 @@ void declareParameters(ompl::base::ParamSet& params, std::function<PlannerSettin
 {
     Declarer declarer(params, std::move(get), std::move(set));
     declarer.number("num_threads", &PlannerSettings::numThreads, "0:1:4096");
-    declarer.choice("speculation_policy", &PlannerSettings::speculationPolicy, "none,direction");
+    declarer.choice("speculation_policy", &PlannerSettings::speculationPolicy, joined(speculationPolicies()));
     declarer.number("lookahead", &PlannerSettings::lookahead, "1:1:1000");
     declarer.flag("barrier", &PlannerSettings::barrier);
     declarer.number("weight", &PlannerSettings::weight, "1.:.1:1000000000.");

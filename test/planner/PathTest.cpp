@@ -41,7 +41,7 @@ TEST(Path, IsTheSameForEveryThreadCountPolicyAndExecutorWithMotionChecks)
         {
             std::string sequential;
             for (const unsigned threads : {1U, 2U, 4U, 8U, 32U})
-                for (const std::string policy : {"none", "direction"})
+                for (const std::string policy : {"none", "direction", "runahead"})
                     for (const std::string executor : {"threads", "virtual"})
                     {
                         Scene scene(3);

@@ -13,6 +13,7 @@
 #include "specplan/planner/PlannerSettings.h"
 #include "specplan/planner/RealVectorEmbedding.h"
 #include "specplan/search/AStar.h"
+#include "specplan/speculation/Predictor.h"
 #include "specplan/validity/Broker.h"
 
 namespace specplan::planner
@@ -87,6 +88,7 @@ public:
 private:
     [[nodiscard]] std::unique_ptr<lattice::GridNeighbourhood> makeNeighbourhood(bool discreteMotions) const;
     [[nodiscard]] std::optional<lattice::NodeId> nodeExactlyAt(const ompl::base::State* state);
+    [[nodiscard]] std::unique_ptr<speculation::Policy> makePolicy();
     lattice::NodeId addTerminal(const ompl::base::State* state);
     void join(lattice::NodeId from, lattice::NodeId to);
     /// Joins a start and a goal off the lattice that are less than a step apart: no detour over a corner.
@@ -102,10 +104,12 @@ private:
     lattice::Lattice lattice_;
     std::optional<ObjectiveCost> motionCost_;  ///< empty for path length
     validity::Broker broker_;
-    std::unique_ptr<speculation::Policy> policy_;
+    speculation::OptimisticPredictor predictor_;
+    bool speculates_ = false;
     lattice::GridHeuristic gridHeuristic_;
     ObjectiveHeuristic objectiveHeuristic_;
     std::unique_ptr<search::AStar> search_;
+    std::unique_ptr<speculation::Policy> policy_;  ///< of this search
     std::vector<StateHandle> goalStates_;
     std::vector<lattice::NodeId> startNodes_;
     std::vector<lattice::NodeId> goalNodes_;

@@ -7,6 +7,9 @@
 
 namespace specplan
 {
+/// The names of all speculation policies.
+const std::vector<std::string>& speculationPolicies();
+
 /// Every knob of SpeculativeAStar with its default. The names in parentheses are the OMPL parameters.
 struct PlannerSettings
 {
@@ -14,8 +17,8 @@ struct PlannerSettings
     /// A*: no thread is started.
     unsigned numThreads = 0;
 
-    /// What to check ahead (`speculation_policy`): "none" or "direction".
-    std::string speculationPolicy = "direction";
+    /// What to check ahead (`speculation_policy`): "none", "direction" or "runahead".
+    std::string speculationPolicy = "runahead";
 
     /// Steps that the direction policy looks ahead (`lookahead`), 1 to 1000.
     unsigned lookahead = 4;

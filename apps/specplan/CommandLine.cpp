@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandLine.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+#include <ompl/util/Console.h>
+
+#include "Plan.h"
+#include "Run.h"
+#include "Speedup.h"
+#include "Text.h"
+#include "specplan/problems/InputError.h"
+
+namespace specplan::command
+{
+using problems::concat;
+using problems::InputError;
+
+namespace
+{
+constexpr int kBadInput = 2;
+
+/// Options given as text that need more than a conversion.
+struct RawOptions
+{
+    std::string start;
+    std::string goal;
+    std::string latency;
+    std::string busy;
+    std::string timeLimit;
+};
+
+void addProblemOptions(CLI::App& app, ProblemOptions& options, RawOptions& raw)
+{
+    app.add_option("PROBLEM", options.files, "Moving AI .map, or a map in the seed's text format")->required();
+    CLI::Option* start = app.add_option("--start", raw.start, "Start cell x,y")->type_name("X,Y");
+    CLI::Option* goal = app.add_option("--goal", raw.goal, "Goal cell x,y")->type_name("X,Y");
+    app.add_option("--scen", options.scenario, "Moving AI scenario [PROBLEM.scen if there is one]")
+        ->type_name("FILE")
+        ->excludes(start)
+        ->excludes(goal);
+    app.add_option("--index", options.index, "Entry of the scenario, from 0, or 'last'")
+        ->type_name("I")
+        ->capture_default_str();
+    const std::map<std::string, problems::GridCost> costs{{"length", problems::GridCost::Length},
+                                                          {"steps", problems::GridCost::Steps},
+                                                          {"seed", problems::GridCost::Seed}};
+    app.add_option("--cost", options.cost,
+                   "length: octile length; steps: 1 a move; seed: 1 a move, Euclidean heuristic")
+        ->transform(CLI::CheckedTransformer(costs).description("length|steps|seed"))
+        ->default_str("length");
+    app.add_flag("--corner-cutting", options.cornerCutting,
+                 "Allow diagonal moves past a blocked corner (always so in the seed's format)");
+}
+
+void addSearchOptions(CLI::App& app, CommonOptions& options, RawOptions& raw)
+{
+    PlannerSettings& planner = options.planner;
+    app.add_option("--lookahead", planner.lookahead, "Steps that the direction policy looks ahead")
+        ->check(CLI::Range(1U, 1000U))
+        ->capture_default_str();
+    app.add_flag("--barrier", planner.barrier, "Wait for all running checks at every expansion, as in the paper");
+    app.add_option("--weight", planner.weight, "Weight of the heuristic")
+        ->check(CLI::Range(1.0, 1e9))
+        ->capture_default_str();
+    app.add_option("--evaluation", options.evaluation, "eager|lazy")
+        ->check(CLI::IsMember({"eager", "lazy"}))
+        ->capture_default_str();
+    CLI::Option* latency =
+        app.add_option("--check-latency", raw.latency, "Each check sleeps this long, such as 5ms")->type_name("TIME");
+    app.add_option("--check-busy", raw.busy, "Each check burns CPU this long, such as 100us")
+        ->type_name("TIME")
+        ->excludes(latency);
+    app.add_option("--executor", planner.executor, "threads|virtual: real threads, or a simulated clock")
+        ->check(CLI::IsMember({"threads", "virtual"}))
+        ->capture_default_str();
+    app.add_option("--time-limit", raw.timeLimit, "Stop each search after this time, such as 10s")->type_name("TIME");
+    app.add_flag("--json", options.json, "Print one JSON object and nothing else");
+}
+
+/// Reads what was given as text. \throws InputError naming the option.
+void finish(CommonOptions& options, const RawOptions& raw)
+{
+    if (!raw.start.empty())
+        options.problem.start = parseCell("--start", raw.start);
+    if (!raw.goal.empty())
+        options.problem.goal = parseCell("--goal", raw.goal);
+    if (!raw.latency.empty())
+        options.check = {parseDuration("--check-latency", raw.latency), false};
+    if (!raw.busy.empty())
+        options.check = {parseDuration("--check-busy", raw.busy), true};
+    if (!raw.timeLimit.empty())
+        options.timeLimit = parseDuration("--time-limit", raw.timeLimit);
+    if (options.evaluation == "lazy")
+        throw InputError("--evaluation: lazy is not available yet; expected eager");
+    if (options.problem.files.size() > 1 &&
+        (options.problem.start || options.problem.goal || !options.problem.scenario.empty()))
+        throw InputError("--start, --goal and --scen: expected a single PROBLEM with these");
+}
+
+std::string oneLine(std::string text)
+{
+    std::ranges::replace(text, '\n', ' ');
+    return text;
+}
+}  // namespace
+
+int run(int argc, char** argv)
+{
+    CLI::App app("Lattice planning with expensive validity checks, on many cores at once");
+    app.set_version_flag("--version", SPECPLAN_VERSION);
+    app.require_subcommand(1);
+    RawOptions raw;
+
+    PlanOptions planOptions;
+    CLI::App* planApp = app.add_subcommand("plan", "Solve one problem");
+    addProblemOptions(*planApp, planOptions.problem, raw);
+    planApp->get_option("PROBLEM")->expected(1);
+    planApp
+        ->add_option("--threads", planOptions.planner.numThreads,
+                     "Checks at once; 0: number of cores, 1: sequential A*")
+        ->check(CLI::Range(0U, 4096U))
+        ->capture_default_str();
+    planApp->add_option("--policy", planOptions.planner.speculationPolicy, "What to check ahead")
+        ->check(CLI::IsMember(speculationPolicies()))
+        ->capture_default_str();
+    addSearchOptions(*planApp, planOptions, raw);
+    planApp->add_option("--svg", planOptions.svgFile, "Draw the search")->type_name("FILE");
+    planApp->add_option("--trace", planOptions.traceFile, "Write the search as JSON: map, order of expansions, path")
+        ->type_name("FILE");
+    planApp->add_option("--path", planOptions.pathFile, "Write the path, one state a line")->type_name("FILE");
+
+    SpeedupOptions speedupOptions;
+    CLI::App* speedupApp = app.add_subcommand("speedup", "Measure every policy with every number of threads");
+    addProblemOptions(*speedupApp, speedupOptions.problem, raw);
+    speedupApp->add_option("--threads", speedupOptions.threads, "Numbers of threads, separated by commas")
+        ->delimiter(',')
+        ->check(CLI::Range(1U, 4096U))
+        ->capture_default_str();
+    speedupApp->add_option("--policies", speedupOptions.policies, "Policies, separated by commas")
+        ->delimiter(',')
+        ->check(CLI::IsMember(speculationPolicies()))
+        ->capture_default_str();
+    addSearchOptions(*speedupApp, speedupOptions, raw);
+    speedupApp->add_option("--csv", speedupOptions.csvFile, "Write all figures")->type_name("FILE");
+    speedupApp->add_option("--plot", speedupOptions.plotFile, "Plot speed-up against threads, as SVG")
+        ->type_name("FILE");
+
+    try
+    {
+        app.parse(argc, argv);
+        ompl::msg::setLogLevel(ompl::msg::LOG_WARN);  // standard output is for results
+        stopOnInterrupt();
+        if (planApp->parsed())
+        {
+            finish(planOptions, raw);
+            return plan(planOptions, std::cout);
+        }
+        finish(speedupOptions, raw);
+        return speedup(speedupOptions, std::cout);
+    }
+    catch (const CLI::Success& wish)  // help or version
+    {
+        return app.exit(wish);
+    }
+    catch (const std::exception& error)
+    {
+        std::cerr << "specplan: " << oneLine(error.what()) << '\n';
+        return kBadInput;
+    }
+}
+}  // namespace specplan::command

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "specplan/planner/PlannerSettings.h"
+#include "specplan/problems/GridSetup.h"
+
+namespace specplan::command
+{
+/// Where a problem comes from.
+struct ProblemOptions
+{
+    std::vector<std::string> files;
+    std::optional<problems::GridCell> start;
+    std::optional<problems::GridCell> goal;
+    std::string scenario;        ///< empty: the file beside the map, if there is one
+    std::string index = "last";  ///< entry of the scenario, from 0, or "last"
+    problems::GridCost cost = problems::GridCost::Length;
+    bool cornerCutting = false;
+};
+
+/// Options that both subcommands have.
+struct CommonOptions
+{
+    ProblemOptions problem;
+    PlannerSettings planner;
+    problems::ArtificialCheck check;
+    std::optional<std::chrono::nanoseconds> timeLimit;
+    std::string evaluation = "eager";
+    bool json = false;
+};
+
+struct PlanOptions : CommonOptions
+{
+    std::string svgFile;
+    std::string traceFile;
+    std::string pathFile;
+};
+
+struct SpeedupOptions : CommonOptions
+{
+    std::vector<unsigned> threads{1, 2, 4, 8, 16, 32};
+    std::vector<std::string> policies{"none", "direction", "runahead"};
+    std::string csvFile;
+    std::string plotFile;
+};
+}  // namespace specplan::command

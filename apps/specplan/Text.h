@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "specplan/problems/GridMap.h"
+
+namespace specplan::command
+{
+/// Reads a duration with its unit: "5ms", "20us", "0.5s", "100ns".
+/// \throws InputError that names the option.
+[[nodiscard]] std::chrono::nanoseconds parseDuration(const std::string& option, const std::string& text);
+
+/// Reads a cell, "x,y". \throws InputError that names the option.
+[[nodiscard]] problems::GridCell parseCell(const std::string& option, const std::string& text);
+
+/// "12.3 ms" and the like.
+[[nodiscard]] std::string durationText(double seconds);
+
+/// A number with so many places behind the point.
+[[nodiscard]] std::string fixed(double value, int places);
+}  // namespace specplan::command

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "specplan/planner/PlannerSettings.h"
+
+namespace specplan
+{
+const std::vector<std::string>& speculationPolicies()
+{
+    static const std::vector<std::string> policies{"none", "direction", "runahead"};
+    return policies;
+}
+}  // namespace specplan
