@@ -136,9 +136,10 @@ void drawSearch(std::ostream& out, const problems::GridProblem& problem, const R
     const double height = scale * map.height();
     const double total = height + 2.0 * kMargin + kLegend + 20.0;
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << kWidth << "\" height=\"" << total
-        << "\" viewBox=\"0 0 " << kWidth << ' ' << total << "\" font-family=\"sans-serif\" font-size=\"12\">\n<title>"
-        << escaped(run.problem) << "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\""
-        << kMargin << "\" y=\"18\" font-size=\"13\">"
+        << "\" viewBox=\"0 0 " << kWidth << ' ' << total
+        << "\" font-family=\"sans-serif\" font-size=\"12\" stroke=\"none\">\n<title>" << escaped(run.problem)
+        << "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n<text x=\"" << kMargin
+        << "\" y=\"18\" font-size=\"13\">"
         << escaped(concat(run.problem, ": ", run.report.threads == 1 ? "sequential" : run.settings.speculationPolicy,
                           ", ", run.report.threads, run.report.threads == 1 ? " thread, " : " threads, ",
                           durationText(run.seconds())))

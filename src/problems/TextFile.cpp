@@ -81,14 +81,19 @@ void writeFile(const std::string& path, const std::function<void(std::ostream&)>
 {
     const std::string temporary = temporaryName(path);
     bool written = false;
+    try
     {
-        std::ofstream out(temporary, std::ios::binary);
-        if (out)
+        if (std::ofstream out(temporary, std::ios::binary); out)
         {
             write(out);
             out.flush();
             written = static_cast<bool>(out);
         }
+    }
+    catch (...)
+    {
+        std::remove(temporary.c_str());
+        throw;
     }
     if (!written || std::rename(temporary.c_str(), path.c_str()) != 0)
     {
