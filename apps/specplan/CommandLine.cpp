@@ -81,8 +81,9 @@ void addSearchOptions(CLI::App& app, CommonOptions& options, RawOptions& raw)
     app.add_flag("--json", options.json, "Print one JSON object and nothing else");
 }
 
-/// Reads what was given as text. \throws InputError naming the option.
-void finish(CommonOptions& options, const RawOptions& raw)
+/// Reads what was given as text. \param single whether one problem is all there may be. \throws InputError naming the
+/// option.
+void finish(CommonOptions& options, const RawOptions& raw, bool single)
 {
     if (!raw.start.empty())
         options.problem.start = parseCell("--start", raw.start);
@@ -96,6 +97,8 @@ void finish(CommonOptions& options, const RawOptions& raw)
         options.timeLimit = parseDuration("--time-limit", raw.timeLimit);
     if (options.evaluation == "lazy")
         throw InputError("--evaluation: lazy is not available yet; expected eager");
+    if (single && options.problem.files.size() > 1)
+        throw InputError(concat("PROBLEM: expected one, found ", options.problem.files.size()));
     if (options.problem.files.size() > 1 &&
         (options.problem.start || options.problem.goal || !options.problem.scenario.empty()))
         throw InputError("--start, --goal and --scen: expected a single PROBLEM with these");
@@ -118,7 +121,6 @@ int run(int argc, char** argv)
     PlanOptions planOptions;
     CLI::App* planApp = app.add_subcommand("plan", "Solve one problem");
     addProblemOptions(*planApp, planOptions.problem, raw);
-    planApp->get_option("PROBLEM")->expected(1);
     planApp
         ->add_option("--threads", planOptions.planner.numThreads,
                      "Checks at once; 0: number of cores, 1: sequential A*")
@@ -156,15 +158,20 @@ int run(int argc, char** argv)
         stopOnInterrupt();
         if (planApp->parsed())
         {
-            finish(planOptions, raw);
+            finish(planOptions, raw, true);
             return plan(planOptions, std::cout);
         }
-        finish(speedupOptions, raw);
+        finish(speedupOptions, raw, false);
         return speedup(speedupOptions, std::cout);
     }
     catch (const CLI::Success& wish)  // help or version
     {
         return app.exit(wish);
+    }
+    catch (const CLI::ParseError& error)
+    {
+        std::cerr << "specplan: " << oneLine(error.what()) << " (see specplan --help)\n";
+        return kBadInput;
     }
     catch (const std::exception& error)
     {
