@@ -9,6 +9,7 @@
 #include "RandomProblem.h"
 #include "specplan/search/AStar.h"
 #include "specplan/speculation/DirectionPolicy.h"
+#include "specplan/speculation/RunAheadPolicy.h"
 #include "specplan/validity/InlineExecutor.h"
 #include "specplan/validity/ThreadPoolExecutor.h"
 #include "specplan/validity/VirtualExecutor.h"
@@ -23,38 +24,55 @@ using lattice::NodeId;
 struct Configuration
 {
     std::string name;
-    unsigned lookahead;  ///< 0: nothing ahead
+    std::string policy;
     bool barrier;
     std::unique_ptr<ProblemChecker> checker;
     std::unique_ptr<validity::Executor> executor;
 };
 
+/// Durations of checks on the virtual clock: different for each, the same in every run.
+double virtualCost(CheckId check, bool valid)
+{
+    const std::uint64_t draw = util::mix(check.isMotion() ? check.motion() : check.node(), check.isMotion() ? 1 : 0);
+    return (valid ? 1.0 : 0.1) * static_cast<double>(1 + draw % 16);
+}
+
+std::unique_ptr<validity::Executor> makeExecutor(const std::string& kind, unsigned workers, ProblemChecker& checker)
+{
+    if (kind == "inline")
+        return std::make_unique<validity::InlineExecutor>(checker);
+    if (kind == "virtual")
+        return std::make_unique<validity::VirtualExecutor>(checker, workers, virtualCost);
+    return std::make_unique<validity::ThreadPoolExecutor>(checker, workers);
+}
+
 /// Every executor × number of workers × policy. Pools live as long as the test, as they do in a planner.
 std::vector<Configuration> allConfigurations()
 {
     std::vector<Configuration> all;
-    for (const unsigned workers : {1U, 2U, 4U, 8U, 32U})
-        for (const std::string kind : {"inline", "virtual", "threads"})
-            for (const unsigned lookahead : {0U, 1U, 4U})
+    for (const std::string kind : {"inline", "virtual", "threads"})
+        for (const unsigned workers : {1U, 2U, 4U, 8U, 32U})
+            for (const std::string policy : {"none", "direction", "direction with barrier", "runahead"})
             {
-                if ((kind == "inline") != (workers == 1 && lookahead == 0) && kind == "inline")
+                if (kind == "inline" && (workers > 1 || policy != "none"))
                     continue;
-                const bool barrier = lookahead == 1;
-                const std::string name = kind + " workers=" + std::to_string(workers) +
-                                         " lookahead=" + std::to_string(lookahead) + (barrier ? " barrier" : "");
                 auto checker = std::make_unique<ProblemChecker>(workers, kind == "threads");
-                std::unique_ptr<validity::Executor> executor;
-                if (kind == "inline")
-                    executor = std::make_unique<validity::InlineExecutor>(*checker);
-                else if (kind == "virtual")
-                    executor = std::make_unique<validity::VirtualExecutor>(
-                        *checker, workers,
-                        [](CheckId check, bool valid) { return check.isMotion() || valid ? 1.0 : 0.1; });
-                else
-                    executor = std::make_unique<validity::ThreadPoolExecutor>(*checker, workers);
-                all.push_back({name, lookahead, barrier, std::move(checker), std::move(executor)});
+                std::unique_ptr<validity::Executor> executor = makeExecutor(kind, workers, *checker);
+                all.push_back({kind + " workers=" + std::to_string(workers) + " " + policy, policy,
+                               policy == "direction with barrier", std::move(checker), std::move(executor)});
             }
     return all;
+}
+
+std::unique_ptr<speculation::Policy> makePolicy(const std::string& name, lattice::Lattice& lattice,
+                                                const validity::Broker& broker, const search::AStar& search,
+                                                speculation::Predictor& predictor)
+{
+    if (name == "none")
+        return nullptr;
+    if (name == "runahead")
+        return std::make_unique<speculation::RunAheadPolicy>(lattice, broker, search, predictor);
+    return std::make_unique<speculation::DirectionPolicy>(lattice, broker, name == "direction" ? 4 : 1);
 }
 
 Cell cellOf(const lattice::Lattice& lattice, NodeId node)
@@ -79,13 +97,11 @@ void expectSameSearch(const RandomProblem& problem, const CellSolution& referenc
     configuration.checker->open(problem, lattice);
     validity::Broker broker(*configuration.executor);
     broker.setBarrier(configuration.barrier);
-    speculation::DirectionPolicy policy(lattice, broker, std::max(configuration.lookahead, 1U));
     search::AStar search(lattice, heuristic, broker, problem.weight());
-    if (configuration.lookahead > 0)
-    {
-        broker.setSource(&policy);
-        search.setPolicy(&policy);
-    }
+    speculation::OptimisticPredictor predictor;
+    const auto policy = makePolicy(configuration.policy, lattice, broker, search, predictor);
+    broker.setSource(policy.get());
+    search.setPolicy(policy.get());
     std::vector<Cell> expansions;
     search.setObserver([&](NodeId node) { expansions.push_back(cellOf(lattice, node)); });
     const auto node = [&lattice](const Cell& cell)
