@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "specplan/lattice/Lattice.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "specplan/lattice/GridNeighbourhood.h"
+
+namespace specplan::lattice
+{
+namespace
+{
+using Row = std::vector<Coordinate>;
+
+Lattice makeLattice(bool motionChecks)
+{
+    GridSteps steps;
+    steps.connectivity = 1;
+    steps.cost = [](std::span<const Coordinate>) { return 2.0; };
+    steps.motionCheck = [motionChecks](std::span<const Coordinate>) { return motionChecks; };
+    return Lattice(std::make_unique<GridNeighbourhood>(GridBox{{0, 0}, {4, 4}}, steps));
+}
+
+TEST(Lattice, SuccessorsComeInTheSameOrderEveryTime)
+{
+    Lattice lattice = makeLattice(true);
+    const NodeId middle = lattice.node(Row{2, 2}.data());
+    Successors first;
+    lattice.successors(middle, first);
+    ASSERT_EQ(first.edges.size(), 4U);
+    Successors again;
+    lattice.successors(middle, again);
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+        EXPECT_EQ(again.edges[i].node, first.edges[i].node);
+        EXPECT_EQ(again.innerOf(again.edges[i])[0], first.innerOf(first.edges[i])[0]);
+    }
+}
+
+TEST(Lattice, EveryMotionHasACheckOfItsOwnThatKnowsItsEnds)
+{
+    Lattice lattice = makeLattice(true);
+    std::set<CheckId> checks;
+    std::size_t motions = 0;
+    Successors successors;
+    for (Coordinate x = 0; x < 5; ++x)
+        for (Coordinate y = 0; y < 5; ++y)
+        {
+            const NodeId node = lattice.node(Row{x, y}.data());
+            lattice.successors(node, successors);
+            for (const Successors::Edge& edge : successors.edges)
+            {
+                ASSERT_EQ(edge.inner, 1U);
+                const CheckId check = successors.innerOf(edge)[0];
+                ASSERT_TRUE(check.isMotion());
+                EXPECT_EQ(lattice.motion(check.motion()).from, node);
+                EXPECT_EQ(lattice.motion(check.motion()).to, edge.node);
+                checks.insert(check);
+                ++motions;
+            }
+        }
+    EXPECT_EQ(checks.size(), motions);
+    EXPECT_EQ(motions, 80U);
+}
+
+TEST(Lattice, TerminalsAreJoinedByHand)
+{
+    Lattice lattice = makeLattice(false);
+    const NodeId first = lattice.addTerminal();
+    const NodeId second = lattice.addTerminal();
+    const NodeId node = lattice.node(Row{0, 0}.data());
+    EXPECT_TRUE(lattice.isTerminal(first));
+    EXPECT_FALSE(lattice.isTerminal(node));
+    EXPECT_EQ(lattice.terminalIndex(first), 0U);
+    EXPECT_EQ(lattice.terminalIndex(second), 1U);
+    Successors successors;
+    lattice.successors(first, successors);
+    EXPECT_TRUE(successors.edges.empty());
+    lattice.connect(first, node, 0.25);
+    lattice.connect(node, second, 0.5);
+    lattice.successors(first, successors);
+    ASSERT_EQ(successors.edges.size(), 1U);
+    EXPECT_EQ(successors.edges[0].node, node);
+    EXPECT_EQ(successors.edges[0].cost, 0.25);
+    EXPECT_TRUE(successors.innerOf(successors.edges[0])[0].isMotion());
+    lattice.successors(node, successors);
+    ASSERT_EQ(successors.edges.size(), 3U);
+    EXPECT_EQ(successors.edges[2].node, second);
+    EXPECT_FALSE(lattice.goOn(first, node).has_value());
+}
+
+TEST(Lattice, MotionCostsMayDependOnTheNodes)
+{
+    Lattice lattice = makeLattice(false);
+    lattice.setMotionCost([](NodeId, NodeId to) { return 10.0 + to; });
+    Successors successors;
+    lattice.successors(lattice.node(Row{0, 0}.data()), successors);
+    for (const Successors::Edge& edge : successors.edges)
+        EXPECT_EQ(edge.cost, 10.0 + edge.node);
+}
+}  // namespace
+}  // namespace specplan::lattice
