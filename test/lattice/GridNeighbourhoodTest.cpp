@@ -67,7 +67,8 @@ TEST(GridNeighbourhood, StaysInsideTheBoxAndKeepsNumbersOfSteps)
     ASSERT_EQ(corner.count, 3U);
     for (std::size_t i = 0; i < corner.count; ++i)
     {
-        const Row end(corner.ends.begin() + static_cast<std::ptrdiff_t>(2 * i), corner.ends.begin() + static_cast<std::ptrdiff_t>(2 * i + 2));
+        const Row end(corner.ends.begin() + static_cast<std::ptrdiff_t>(2 * i),
+                      corner.ends.begin() + static_cast<std::ptrdiff_t>(2 * i + 2));
         EXPECT_TRUE(grid.contains(end.data()));
         const Steps::Step& same = all[corner.steps[i].index];
         EXPECT_EQ(same.cost, corner.steps[i].cost) << "the same index means the same direction everywhere";
@@ -92,7 +93,8 @@ TEST(GridNeighbourhood, WithoutCornerCuttingDiagonalsAreGuardedByTheCornersOfThe
         ASSERT_EQ(step.guards, (1U << changed) - 2U);
         for (std::size_t guard = step.firstGuard; guard < step.firstGuard + step.guards; ++guard)
             for (std::size_t axis = 0; axis < 3; ++axis)
-                EXPECT_TRUE(out.guards[3 * guard + axis] == from[axis] || out.guards[3 * guard + axis] == out.ends[3 * i + axis]);
+                EXPECT_TRUE(out.guards[3 * guard + axis] == from[axis] ||
+                            out.guards[3 * guard + axis] == out.ends[3 * i + axis]);
     }
 }
 

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "specplan/speculation/RunAheadPolicy.h"
+
+#include <gtest/gtest.h>
+
+#include "TextGrid.h"
+
+namespace specplan::speculation
+{
+namespace
+{
+using lattice::CheckId;
+using lattice::NodeId;
+using search::SearchStatus;
+using test::TextGrid;
+
+/// Knows every verdict beforehand.
+class Oracle : public Predictor
+{
+public:
+    explicit Oracle(const TextGrid& grid) : grid_(grid)
+    {
+    }
+
+    [[nodiscard]] bool isLikelyValid(NodeId, NodeId node) const override
+    {
+        return grid_.isFree(node);
+    }
+
+    void learned(NodeId, bool) override
+    {
+    }
+
+private:
+    const TextGrid& grid_;
+};
+
+const std::vector<std::string> kWall{"....................", "....................", "...........#........",
+                                     "...........#........", ".S.........#......G.", "...........#........",
+                                     "...........#........", "....................", "...................."};
+
+struct Result
+{
+    double seconds;
+    validity::CheckStatistics counts;
+    std::uint64_t order;
+};
+
+Result runWith(bool oracle, unsigned workers, bool motionChecks = false)
+{
+    TextGrid grid(kWall, workers, motionChecks);
+    OptimisticPredictor optimist;
+    Oracle seer(grid);
+    RunAheadPolicy policy(grid.lattice, grid.broker, grid.search, oracle ? static_cast<Predictor&>(seer) : optimist);
+    grid.use(policy);
+    EXPECT_EQ(grid.run(), SearchStatus::Solved);
+    return {grid.broker.now(), grid.broker.statistics(), grid.search.orderHash()};
+}
+
+Result runSequentially(bool motionChecks = false)
+{
+    TextGrid grid(kWall, 1, motionChecks);
+    EXPECT_EQ(grid.run(), SearchStatus::Solved);
+    return {grid.broker.now(), grid.broker.statistics(), grid.search.orderHash()};
+}
+
+TEST(RunAheadPolicy, WithRightPredictionsNothingIsWasted)
+{
+    const Result sequential = runSequentially();
+    for (const unsigned workers : {2U, 4U, 8U})
+    {
+        const Result result = runWith(true, workers);
+        EXPECT_EQ(result.order, sequential.order);
+        EXPECT_EQ(result.counts.checksUsed, sequential.counts.checksUsed);
+        EXPECT_EQ(result.counts.accuracy(), 1.0) << workers << " workers";
+        EXPECT_GT(sequential.seconds / result.seconds, 0.9 * workers);
+    }
+}
+
+TEST(RunAheadPolicy, FollowsTheSearchWhereAnOptimistIsWrong)
+{
+    const Result sequential = runSequentially();
+    for (const unsigned workers : {2U, 8U, 64U})
+    {
+        const Result result = runWith(false, workers);
+        EXPECT_EQ(result.order, sequential.order);
+        EXPECT_GT(result.counts.accuracy(), 0.5);
+        EXPECT_LT(result.seconds, sequential.seconds);
+    }
+    EXPECT_GT(sequential.seconds / runWith(false, 4).seconds, 3.5);
+}
+
+TEST(RunAheadPolicy, ChecksTheInsideOfMotionsAhead)
+{
+    const Result sequential = runSequentially(true);
+    const Result result = runWith(false, 4, true);
+    EXPECT_EQ(result.order, sequential.order);
+    EXPECT_EQ(result.counts.checksUsed, sequential.counts.checksUsed);
+    EXPECT_GT(sequential.seconds / result.seconds, 3.0);
+}
+
+TEST(RunAheadPolicy, ProposesInTheOrderInWhichTheSearchNeedsThem)
+{
+    // In an open plane all predictions hold: what is proposed is what the search asks for, in its order.
+    TextGrid first(std::vector<std::string>(9, "S.................G."), 1);
+    EXPECT_EQ(first.run(), SearchStatus::Solved);
+    TextGrid second(std::vector<std::string>(9, "S.................G."), 1);
+    OptimisticPredictor optimist;
+    RunAheadPolicy policy(second.lattice, second.broker, second.search, optimist);
+    std::vector<CheckId> proposed;
+    policy.propose(first.checked.size(), proposed);
+    const auto at = [](const TextGrid& grid, CheckId check)
+    {
+        return std::vector<lattice::Coordinate>(grid.lattice.coordinates(check.node()).begin(),
+                                                grid.lattice.coordinates(check.node()).end());
+    };
+    ASSERT_GE(proposed.size() + 8, first.checked.size()) << "all but those around the goal";
+    for (std::size_t i = 0; i < proposed.size(); ++i)
+        ASSERT_EQ(at(second, proposed[i]), at(first, first.checked[i])) << i;
+}
+}  // namespace
+}  // namespace specplan::speculation
