@@ -2,6 +2,7 @@
 #include "specplan/lattice/GridNeighbourhood.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
@@ -117,6 +118,7 @@ void GridNeighbourhood::steps(const Coordinate* from, Steps& out) const
 void GridNeighbourhood::addGuards(const Coordinate* from, Steps::Step& step, std::vector<Coordinate>& guards) const
 {
     const std::size_t n = dimension();
+    assert(n > 0);
     const Coordinate* offset = &guardOffsets_[step.firstGuard * n];
     step.firstGuard = static_cast<std::uint32_t>(guards.size() / n);
     for (std::size_t i = 0; i < step.guards * n; ++i)

@@ -70,6 +70,7 @@ std::optional<NodeId> LatticeQuery::nodeExactlyAt(const ob::State* state)
 {
     const std::vector<double> position = embedding_.position(state);
     std::vector<Coordinate> coordinates;
+    coordinates.reserve(position.size());
     for (const double axis : position)
         coordinates.push_back(static_cast<Coordinate>(std::round(axis)));
     if (!embedding_.contains(coordinates))

@@ -313,8 +313,10 @@ void PlannerSession::publishSolution(ob::Planner& planner)
     ob::PlannerSolution solution(path);
     solution.setPlannerName(planner.getName());
     if (const ob::OptimizationObjectivePtr& objective = pdef->getOptimizationObjective())
-        if (const ob::Cost itsCost = path->cost(objective); true)
-            solution.setOptimized(objective, itsCost, objective->isSatisfied(itsCost));
+    {
+        const ob::Cost itsCost = path->cost(objective);
+        solution.setOptimized(objective, itsCost, objective->isSatisfied(itsCost));
+    }
     pdef->addSolutionPath(solution);
 }
 

@@ -46,6 +46,7 @@ std::vector<double> chooseSpacing(const PlannerSettings& settings, const std::ve
         fraction =
             1.0 / std::clamp(std::floor(std::pow(kAutomaticNodes, 1.0 / static_cast<double>(n))), 4.0, kAutomaticCells);
     std::vector<double> spacing;
+    spacing.reserve(extents.size());
     for (const double extent : extents)
         spacing.push_back(extent * fraction);
     return spacing;

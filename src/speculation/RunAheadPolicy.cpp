@@ -205,8 +205,7 @@ void RunAheadPolicy::retract(NodeId root)
         node.parent = lattice::kNoNode;
     }
     std::ranges::sort(rim_);
-    const auto twice = std::ranges::unique(rim_);
-    rim_.erase(twice.begin(), twice.end());
+    rim_.erase(std::unique(rim_.begin(), rim_.end()), rim_.end());
     for (const NodeId from : rim_)
         if (isClosed(from))
             relaxFrom(from);

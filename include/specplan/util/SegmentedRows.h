@@ -78,6 +78,7 @@ private:
     static Place locate(std::size_t index) noexcept
     {
         const std::size_t shifted = index + kFirst;
+        assert(shifted >= kFirst);  // the sum does not wrap
         const auto segment = static_cast<std::size_t>(std::bit_width(shifted)) - kFirstWidth;
         return {segment, shifted - (kFirst << segment)};
     }
