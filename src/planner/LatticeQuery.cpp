@@ -30,6 +30,7 @@ LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjec
       embedding_(si, settings, origin),
       lattice_(makeNeighbourhood(isDiscreteMotionValidator(*sources.motionValidators.front()))),
       broker_(executor),
+      predictor_(lattice_),
       gridHeuristic_(lattice_, embedding_.spacing(), embedding_.connectivity()),
       objectiveHeuristic_(si, *objective_, lattice_, embedding_, goalStates_)
 {

@@ -13,6 +13,16 @@ using validity::Verdict;
 namespace
 {
 constexpr double kUnreached = std::numeric_limits<double>::infinity();
+
+/// How much later an unlikely node has its turn. Found by experiment: anything from 2 to 6 is nearly as good.
+constexpr double kCaution = 4.0;
+
+/// The shadow stops at a goal that the search is this likely to reach. Otherwise it goes on: workers would have nothing
+/// to do.
+constexpr double kSure = 0.9;
+
+/// Share of the newest value in the average step of f.
+constexpr double kScaleUpdate = 1e-3;
 }  // namespace
 
 RunAheadPolicy::RunAheadPolicy(lattice::Lattice& lattice, const validity::Broker& broker, const FrontierView& frontier,
@@ -31,6 +41,7 @@ void RunAheadPolicy::propose(std::size_t count, std::vector<CheckId>& out)
 {
     synchronise();
     const std::size_t full = out.size() + count;
+    const auto first = static_cast<std::ptrdiff_t>(out.size());
     while (out.size() < full)
     {
         if (pending_.empty())
@@ -42,10 +53,20 @@ void RunAheadPolicy::propose(std::size_t count, std::vector<CheckId>& out)
         const Pending next = pending_.top();
         pending_.pop();
         // Dropped if it has lost its point: known or running by now, or the shadow no longer gets there.
-        if (broker_.verdict(next.check) == Verdict::Unknown && isClosed(next.from) &&
-            std::ranges::find(out, next.check) == out.end())
-            out.push_back(next.check);
+        if (broker_.verdict(next.check) != Verdict::Unknown || !isClosed(next.from) ||
+            std::find(out.begin() + first, out.end(), next.check) != out.end())
+            continue;
+        if (!next.check.isMotion())
+            nodes_[next.check.node()].askedFrom = next.from;
+        out.push_back(next.check);
     }
+}
+
+bool RunAheadPolicy::stillWanted(CheckId check) const
+{
+    if (check.isMotion())
+        return isClosed(lattice_.motion(check.motion()).from);
+    return check.node() < nodes_.size() && isClosed(nodes_[check.node()].askedFrom);
 }
 
 void RunAheadPolicy::synchronise()
@@ -70,6 +91,15 @@ void RunAheadPolicy::importFrontier()
     }
 }
 
+void RunAheadPolicy::missed()
+{
+    imported_ = false;
+    behind_.clear();
+    nodes_.clear();
+    open_.clear();
+    pending_ = {};
+}
+
 void RunAheadPolicy::follow(NodeId id)
 {
     Node& node = touch(id);
@@ -79,20 +109,28 @@ void RunAheadPolicy::follow(NodeId id)
     if (node.status == Status::Open)
         open_.erase(id);
     node.g = g;
-    node.parent = frontier_.parent(id);
-    node.status = Status::Closed;
+    node.probability = 1.0;
     node.closedAs = ++expansions_;
+    node.parent = frontier_.parent(id);
+    node.ofState = 1.0F;
+    node.ofMotion = 1.0F;
+    node.status = Status::Closed;
     relaxFrom(id);
 }
 
 bool RunAheadPolicy::advance()
 {
-    if (open_.empty() || frontier_.isGoal(open_.top().item))
+    if (open_.empty())
         return false;
-    const NodeId id = open_.pop().item;
+    const NodeId id = open_.top().item;
+    const bool goal = frontier_.isGoal(id);
+    if (goal && nodes_[id].probability > kSure)
+        return false;
+    open_.pop();
     nodes_[id].status = Status::Closed;
     nodes_[id].closedAs = ++expansions_;
-    relaxFrom(id);
+    if (!goal)
+        relaxFrom(id);
     return true;
 }
 
@@ -109,7 +147,7 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
         return;
     Node& end = touch(edge.node);
     const double g = nodes_[from].g + edge.cost;
-    if (end.status == Status::Closed || !(g < end.g))
+    if (!(g < end.g) || (end.status == Status::Closed && !wouldComeFirst(nodes_[from], end)))
         return;
     const CheckId state = CheckId::ofState(edge.node);
     const Verdict verdict = broker_.verdict(state);
@@ -117,72 +155,131 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
         return;
     if (verdict == Verdict::Unknown)
         emit(state, from);
-    for (const CheckId inner : successors_.innerOf(edge))
-    {
-        const Verdict known = broker_.verdict(inner);
-        if (known == Verdict::Invalid)
-            return;
-        if (known == Verdict::Unknown && verdict == Verdict::Valid)
-            emit(inner, from);
-    }
-    if (verdict != Verdict::Valid && !predictor_.isLikelyValid(from, edge.node))
-    {
-        end.heldBack = true;
+    const double ofMotion = checkMotion(from, edge, verdict == Verdict::Valid);
+    if (ofMotion == 0.0)
         return;
-    }
+    scale_ += (std::abs(g + end.h - nodes_[from].g - nodes_[from].h) - scale_) * kScaleUpdate;
     end.g = g;
     end.parent = from;
+    end.ofState = verdict == Verdict::Valid ? 1.0F : static_cast<float>(predictor_.probabilityValid(edge.node));
+    end.ofMotion = static_cast<float>(ofMotion);
+    end.probability = nodes_[from].probability * static_cast<double>(end.ofState * end.ofMotion);
     end.status = Status::Open;
-    open_.push(edge.node, {g + end.h, g, pushes_++});
+    push(edge.node);
+}
+
+/// Emits what is unknown of a motion once it is worth it. \return the probability that the motion is valid.
+double RunAheadPolicy::checkMotion(NodeId from, const lattice::Successors::Edge& edge, bool endIsValid)
+{
+    double probability = 1.0;
+    for (const CheckId inner : successors_.innerOf(edge))
+    {
+        guarded_ = guarded_ || !inner.isMotion();
+        const Verdict verdict = broker_.verdict(inner);
+        if (verdict == Verdict::Invalid)
+            return 0.0;
+        if (verdict == Verdict::Valid)
+            continue;
+        if (verdict == Verdict::Unknown && endIsValid)
+            emit(inner, from);
+        probability *=
+            inner.isMotion() ? predictor_.probabilityMotionValid() : predictor_.probabilityValid(inner.node());
+    }
+    return probability;
+}
+
+void RunAheadPolicy::push(NodeId id)
+{
+    const Node& node = nodes_[id];
+    open_.push(id, {node.g + node.h - kCaution * scale_ * std::log(node.probability), node.g, pushes_++});
+}
+
+void RunAheadPolicy::emit(CheckId check, NodeId from)
+{
+    if (!check.isMotion())
+        touch(check.node());
+    pending_.push({nodes_[from].closedAs, pushes_++, check, from});
 }
 
 void RunAheadPolicy::learned(CheckId check, bool valid)
 {
-    if (!check.isMotion())
+    if (check.isMotion())
+        predictor_.learnedMotion(valid);
+    else
         predictor_.learned(check.node(), valid);
     if (!imported_)
         return;
+    if (!check.isMotion() && !valid && guarded_)
+        retractGuarded(check);
     const NodeId id = check.isMotion() ? lattice_.motion(check.motion()).to : check.node();
-    if (id >= nodes_.size())
+    if (id >= nodes_.size() || nodes_[id].status == Status::Unseen || frontier_.isExpanded(id))
         return;
-    Node& node = nodes_[id];
+    if (check.isMotion() && nodes_[id].parent != lattice_.motion(check.motion()).from)
+        return;
     if (!valid)
-    {
-        const bool used = !check.isMotion() || node.parent == lattice_.motion(check.motion()).from;
-        if (node.status != Status::Unseen && used && !frontier_.isExpanded(id))
-            retract(id);
+        retract(id);
+    else if (check.isMotion())
+        confirmMotion(id);
+    else
+        confirmState(id);
+}
+
+void RunAheadPolicy::confirmState(NodeId id)
+{
+    const double factor = 1.0 / static_cast<double>(nodes_[id].ofState);
+    nodes_[id].ofState = 1.0F;
+    raise(id, factor);
+    emitMotionTo(id);
+}
+
+void RunAheadPolicy::confirmMotion(NodeId id)
+{
+    const double factor = 1.0 / static_cast<double>(nodes_[id].ofMotion);
+    nodes_[id].ofMotion = 1.0F;
+    raise(id, factor);
+}
+
+/// The end is valid: now the inside of the motion to it is worth a check.
+void RunAheadPolicy::emitMotionTo(NodeId id)
+{
+    const NodeId parent = nodes_[id].parent;
+    if (parent == lattice::kNoNode)
         return;
-    }
-    if (check.isMotion())
+    lattice_.successors(parent, around_);
+    if (around_.inner.empty())
         return;
-    if (node.heldBack && node.status == Status::Unseen)
+    for (const lattice::Successors::Edge& edge : around_.edges)
+        if (edge.node == id)
+            for (const CheckId inner : around_.innerOf(edge))
+                if (broker_.verdict(inner) == Verdict::Unknown)
+                    emit(inner, parent);
+}
+
+/// A probability has become certainty: all that hangs on it is more likely by this factor.
+void RunAheadPolicy::raise(NodeId root, double factor)
+{
+    if (factor == 1.0)
+        return;
+    subtree_.assign(1, root);
+    for (std::size_t i = 0; i < subtree_.size(); ++i)
     {
-        node.heldBack = false;
+        const NodeId id = subtree_[i];
+        nodes_[id].probability = std::min(nodes_[id].probability * factor, 1.0);
+        if (nodes_[id].status == Status::Open)
+        {
+            push(id);
+            continue;
+        }
         lattice_.successors(id, around_);
-        rim_.clear();
         for (const lattice::Successors::Edge& edge : around_.edges)
-            if (isClosed(edge.node))
-                rim_.push_back(edge.node);
-        for (const NodeId from : rim_)
-            relaxFrom(from);
-    }
-    else if (node.status != Status::Unseen && node.parent != lattice::kNoNode)
-    {
-        // The state is valid: now the inside of the motion to it is worth a check.
-        lattice_.successors(node.parent, around_);
-        if (around_.inner.empty())
-            return;
-        for (const lattice::Successors::Edge& edge : around_.edges)
-            if (edge.node == id)
-                for (const CheckId inner : around_.innerOf(edge))
-                    if (broker_.verdict(inner) == Verdict::Unknown)
-                        emit(inner, node.parent);
+            if (isChild(edge.node, id))
+                subtree_.push_back(edge.node);
     }
 }
 
+/// Takes back everything that the shadow reached through the root, and joins it again to what borders on it.
 void RunAheadPolicy::retract(NodeId root)
 {
-    // Everything that the shadow reached through the root, and what borders on it.
     subtree_.assign(1, root);
     rim_.clear();
     for (std::size_t i = 0; i < subtree_.size(); ++i)
@@ -191,8 +288,7 @@ void RunAheadPolicy::retract(NodeId root)
         lattice_.successors(id, around_);
         for (const lattice::Successors::Edge& edge : around_.edges)
         {
-            if (edge.node < nodes_.size() && nodes_[edge.node].parent == id &&
-                nodes_[edge.node].status != Status::Unseen && !frontier_.isExpanded(edge.node))
+            if (isChild(edge.node, id))
                 subtree_.push_back(edge.node);
             else if (isClosed(edge.node))
                 rim_.push_back(edge.node);
@@ -204,21 +300,60 @@ void RunAheadPolicy::retract(NodeId root)
         node.g = kUnreached;
         node.parent = lattice::kNoNode;
     }
-    std::ranges::sort(rim_);
+    std::sort(rim_.begin(), rim_.end());
     rim_.erase(std::unique(rim_.begin(), rim_.end()), rim_.end());
     for (const NodeId from : rim_)
         if (isClosed(from))
             relaxFrom(from);
 }
 
-void RunAheadPolicy::emit(CheckId check, NodeId from)
+/// Takes back the nodes that were reached past a state that is invalid.
+void RunAheadPolicy::retractGuarded(CheckId guard)
 {
-    pending_.push({nodes_[from].closedAs, pushes_++, check, from});
+    lattice_.successors(guard.node(), successors_);
+    std::vector<NodeId> ends;
+    for (const lattice::Successors::Edge& edge : successors_.edges)
+        if (edge.node < nodes_.size() && nodes_[edge.node].status != Status::Unseen &&
+            !frontier_.isExpanded(edge.node) && isGuardedBy(edge.node, guard))
+            ends.push_back(edge.node);
+    for (const NodeId end : ends)
+        if (nodes_[end].status != Status::Unseen)
+            retract(end);
+}
+
+bool RunAheadPolicy::isGuardedBy(NodeId end, CheckId guard)
+{
+    const NodeId parent = nodes_[end].parent;
+    if (parent == lattice::kNoNode)
+        return false;
+    lattice_.successors(parent, around_);
+    return std::ranges::any_of(around_.edges,
+                               [&](const lattice::Successors::Edge& edge)
+                               {
+                                   const auto inner = around_.innerOf(edge);
+                                   return edge.node == end &&
+                                          std::find(inner.begin(), inner.end(), guard) != inner.end();
+                               });
 }
 
 bool RunAheadPolicy::isClosed(NodeId node) const
 {
     return node < nodes_.size() && nodes_[node].status == Status::Closed;
+}
+
+/// Whether the shadow, not the search itself, reached `node` from `parent`.
+bool RunAheadPolicy::isChild(NodeId node, NodeId parent) const
+{
+    return node < nodes_.size() && nodes_[node].parent == parent && nodes_[node].status != Status::Unseen &&
+           !frontier_.isExpanded(node);
+}
+
+/// Whether the search expands `node` before `other`: then what it learns there comes in time.
+bool RunAheadPolicy::wouldComeFirst(const Node& node, const Node& other)
+{
+    const double f = node.g + node.h;
+    const double otherF = other.g + other.h;
+    return f != otherF ? f < otherF : node.g > other.g;
 }
 
 RunAheadPolicy::Node& RunAheadPolicy::touch(NodeId node)

@@ -21,19 +21,19 @@ bool Broker::demand(std::span<const CheckId> checks)
         Entry& entry = table_[check];
         if (!isKnown(entry.verdict))
             missing_.push_back(check);
-        else if (!entry.used)
-        {
-            ++statistics_.usedReady;
-            statistics_.speculativeReady += entry.speculative ? 1 : 0;
-            noteUse(entry);
-        }
+        else
+            noteReady(entry);
     }
-    return missing_.empty() || demandMissing(checks);
+    if (!missing_.empty())
+        return demandMissing(checks);
+    if (source_ != nullptr && sourceListens_ && executor_.runsDry())
+        feed();
+    return true;
 }
 
 bool Broker::demandMissing(std::span<const CheckId> checks)
 {
-    if (!(executor_.runsInline() ? runInline() : waitForMissing()))
+    if (!runHere() || (!missing_.empty() && !waitForMissing()))
         return false;
     if (!errors_.empty())
         for (const CheckId check : checks)
@@ -42,14 +42,25 @@ bool Broker::demandMissing(std::span<const CheckId> checks)
     return true;
 }
 
-bool Broker::runInline()
+/// Whether the next check is better run right here. The first one is, to see what checks cost.
+bool Broker::shouldRunHere() const
+{
+    return executor_.runsInline() || ((cost_.isCheap() || cost_.knowsNothing()) && executor_.canRunHere());
+}
+
+/// Runs missing checks in this thread for as long as that is the better way, and takes them off the list.
+bool Broker::runHere()
 {
     double unasked = 0.0;  // seconds of checks since the interrupt was asked
-    for (const CheckId check : missing_)
+    std::size_t done = 0;
+    for (; done < missing_.size() && shouldRunHere(); ++done)
     {
+        const CheckId check = missing_[done];
         Entry& entry = table_[check];
         if (isKnown(entry.verdict))
             continue;  // given twice in one call
+        if (entry.verdict == Verdict::InFlight)
+            break;
         if (unasked > std::chrono::duration<double>(kPatience).count() && interrupt_)
         {
             if (interrupt_())
@@ -57,34 +68,51 @@ bool Broker::runInline()
             unasked = 0.0;
         }
         if (!entry.failed)
-        {
-            executor_.submit(check, Urgency::Demanded);
-            ++statistics_.demandedChecks;
-            collect(std::chrono::milliseconds{0});
-        }
+            recordHere(check, entry);
         if (entry.failed)
-            return true;  // what comes after is not needed: the caller rethrows
-        ++statistics_.usedInline;
+        {
+            missing_.clear();  // what comes after is not needed: the caller rethrows
+            return true;
+        }
         unasked += static_cast<double>(entry.seconds);
-        statistics_.waitSeconds += static_cast<double>(entry.seconds);
-        noteUse(entry);
     }
+    missing_.erase(missing_.begin(), missing_.begin() + static_cast<std::ptrdiff_t>(done));
     return true;
+}
+
+void Broker::recordHere(CheckId check, Entry& entry)
+{
+    if (sourceListens_ && !cost_.knowsNothing() && source_ != nullptr)
+    {
+        // Telling it everything would cost more than a cheap check.
+        source_->missed();
+        sourceListens_ = false;
+    }
+    Completion completion = executor_.runHere(check);
+    ++statistics_.demandedChecks;
+    record(completion);
+    if (entry.failed)
+        return;
+    ++statistics_.usedInline;
+    statistics_.waitSeconds += completion.seconds;
+    noteUse(entry);
 }
 
 bool Broker::waitForMissing()
 {
     const double start = executor_.now();
+    sourceListens_ = true;
     collect(std::chrono::milliseconds{0});
     submitMissing();
-    askSource();
+    if (awaited_ > 0)
+        askSource();
     double lastAsked = steadySeconds();
     bool interrupted = false;
     while (awaited_ > 0 || (barrier_ && executor_.busy()))
     {
         collect(kPatience);
-        if (awaited_ > 0 && source_ != nullptr && source_->keepsAsking())
-            askSource();
+        if (source_ != nullptr && source_->keepsAsking())
+            askSource();  // also when the wait is over: workers go on while the search does
         if (interrupt_ && steadySeconds() - lastAsked > std::chrono::duration<double>(kPatience).count())
         {
             interrupted = interrupt_();
@@ -109,12 +137,7 @@ void Broker::submitMissing()
             continue;
         if (isKnown(entry.verdict))  // came back just now
         {
-            if (!entry.used)
-            {
-                ++statistics_.usedReady;
-                statistics_.speculativeReady += entry.speculative ? 1 : 0;
-                noteUse(entry);
-            }
+            noteReady(entry);
             continue;
         }
         if (entry.verdict == Verdict::InFlight)
@@ -130,15 +153,56 @@ void Broker::submitMissing()
     }
 }
 
+/// The search asks for a verdict that is there.
+void Broker::noteReady(Entry& entry)
+{
+    if (entry.used)
+        return;
+    ++statistics_.usedReady;
+    statistics_.speculativeReady += entry.speculative ? 1 : 0;
+    noteUse(entry);
+}
+
+/// Gives the workers more to do while the search has no need to wait.
+void Broker::feed()
+{
+    collect(std::chrono::milliseconds{0});
+    if (source_->keepsAsking())
+        askSource();
+}
+
 void Broker::askSource()
 {
-    const unsigned free = executor_.freeWorkers();
-    if (source_ == nullptr || free == 0 || awaited_ == 0)
+    if (source_ == nullptr)
+        return;
+    dropUnwanted();
+    const unsigned room = source_->keepsAsking() ? executor_.room() : executor_.freeWorkers();
+    if (room == 0)
         return;
     proposals_.clear();
-    source_->propose(free, proposals_);
+    source_->propose(room, proposals_);
     for (const CheckId check : proposals_)
         prefetch(check);
+}
+
+/// Takes back queued checks that have lost their point.
+void Broker::dropUnwanted()
+{
+    if (!std::exchange(sawInvalid_, false))
+        return;
+    dropped_.clear();
+    executor_.cancelUnwanted([this](CheckId check) { return source_->stillWanted(check); }, dropped_);
+    drop(dropped_);
+}
+
+void Broker::drop(std::span<const CheckId> checks)
+{
+    for (const CheckId check : checks)
+    {
+        Entry& entry = table_[check];
+        statistics_.speculativeDropped += entry.speculative ? 1 : 0;
+        entry = Entry{};
+    }
 }
 
 bool Broker::prefetch(CheckId check)
@@ -168,6 +232,7 @@ void Broker::record(Completion& completion)
     ++statistics_.checksRun;
     statistics_.runSeconds += completion.seconds;
     entry.seconds = static_cast<float>(completion.seconds);
+    cost_.add(completion.seconds);
     if (completion.error)
     {
         entry.verdict = Verdict::Unknown;
@@ -178,7 +243,8 @@ void Broker::record(Completion& completion)
     else
     {
         entry.verdict = completion.valid ? Verdict::Valid : Verdict::Invalid;
-        if (source_ != nullptr)
+        sawInvalid_ = sawInvalid_ || !completion.valid;
+        if (source_ != nullptr && sourceListens_)
             source_->learned(check, completion.valid);
     }
     if (!entry.awaited)
@@ -218,12 +284,7 @@ void Broker::settle()
 {
     dropped_.clear();
     executor_.cancelQueued(dropped_);
-    for (const CheckId check : dropped_)
-    {
-        Entry& entry = table_[check];
-        statistics_.speculativeDropped += entry.speculative ? 1 : 0;
-        entry = Entry{};
-    }
+    drop(dropped_);
     while (executor_.busy())
         collect(kPatience);
     // A failure is remembered no longer than this: whoever asks again wants the check to be tried again.

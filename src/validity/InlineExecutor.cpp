@@ -3,27 +3,11 @@
 
 #include <iterator>
 
-#include "specplan/validity/RunCheck.h"
-
 namespace specplan::validity
 {
-namespace
-{
-constexpr double kCheapSeconds = 1e-6;
-constexpr unsigned kSampleEvery = 16;
-}  // namespace
-
 void InlineExecutor::submit(CheckId check, Urgency)
 {
-    if (lastSeconds_ < kCheapSeconds && ++unmeasured_ < kSampleEvery)
-    {
-        finished_.push_back(runCheckUnmeasured(checker_, check, 0));
-        finished_.back().seconds = lastSeconds_;
-        return;
-    }
-    finished_.push_back(runCheck(checker_, check, 0));
-    lastSeconds_ = finished_.back().seconds;
-    unmeasured_ = 0;
+    finished_.push_back(runHere(check));
 }
 
 void InlineExecutor::collect(std::vector<Completion>& out, std::chrono::milliseconds)

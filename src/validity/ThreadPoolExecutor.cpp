@@ -2,15 +2,59 @@
 #include "specplan/validity/ThreadPoolExecutor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <system_error>
 
-#include "specplan/validity/RunCheck.h"
+#include "specplan/validity/TakeUnwanted.h"
 
 namespace specplan::validity
 {
+namespace
+{
+/// From two up to this many workers the search thread is one of them.
+constexpr unsigned kFewWorkers = 8;
+
+/// How long a thread spins before it sleeps: as long as waking it would take.
+constexpr double kSpinSeconds = 20e-6;
+
+/// What the supply of queued checks has to bridge: the time that the search may take until it hands out more.
+constexpr double kSupplySeconds = 40e-6;
+
+/// Share of the newest check in the average duration.
+constexpr double kAverageUpdate = 0.05;
+
+void pause() noexcept
+{
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#else
+    std::this_thread::yield();
+#endif
+}
+
+/// Waits a moment for `ready` without sleeping.
+template <typename Ready>
+void spin(const Ready& ready)
+{
+    constexpr int kLooksPerClock = 64;
+    const double end = steadySeconds() + kSpinSeconds;
+    do
+        for (int i = 0; i < kLooksPerClock; ++i)
+        {
+            if (ready())
+                return;
+            pause();
+        }
+    while (steadySeconds() < end);
+}
+}  // namespace
+
 ThreadPoolExecutor::ThreadPoolExecutor(Checker& checker, unsigned workers)
-    : checker_(checker), workers_(std::max(workers, 1U))
+    : checker_(checker),
+      workers_(std::max(workers, 1U)),
+      searchThreadWorks_(workers_ > 1 && workers_ <= kFewWorkers),
+      spins_(workers_ <= std::thread::hardware_concurrency())
 {
     threads_.reserve(workers_);
 }
@@ -28,20 +72,46 @@ ThreadPoolExecutor::~ThreadPoolExecutor()
         thread.join();
 }
 
+Completion ThreadPoolExecutor::runHere(CheckId check)
+{
+    // The last worker's number belongs to the search thread, or to a thread that has nothing to do now.
+    return runner_.run(checker_, check, workers_ - 1);
+}
+
+unsigned ThreadPoolExecutor::room() const noexcept
+{
+    // A search thread that works comes back after a check: until then the others live on the supply.
+    const double most = 4.0 * workers_;
+    const double supply = std::ceil(std::min(workers_ * kSupplySeconds / std::max(seconds_, 1e-9) - 0.1, most));
+    const std::size_t wanted =
+        workers_ + std::max(searchThreadWorks_ ? workers_ : 0U, static_cast<unsigned>(std::max(supply, 0.0)));
+    return inHand_ < wanted ? static_cast<unsigned>(wanted - inHand_) : 0;
+}
+
+bool ThreadPoolExecutor::runsDry() const noexcept
+{
+    return queued_.load(std::memory_order_relaxed) == 0 && done_.load(std::memory_order_relaxed) > 0;
+}
+
 void ThreadPoolExecutor::submit(CheckId check, Urgency urgency)
 {
     startThreadFor(inHand_ + 1);
+    bool wake = false;
     {
         const std::lock_guard lock(mutex_);
         (urgency == Urgency::Demanded ? demanded_ : speculative_).push_back(check);
+        queued_.fetch_add(1, std::memory_order_relaxed);
+        wake = sleepers_ > 0;
     }
     ++inHand_;
-    workAvailable_.notify_one();
+    if (wake)
+        workAvailable_.notify_one();
 }
 
 void ThreadPoolExecutor::startThreadFor(std::size_t inHand)
 {
-    if (threads_.size() >= std::min<std::size_t>(inHand, workers_))
+    const std::size_t wanted = std::min<std::size_t>(inHand, searchThreadWorks_ ? workers_ - 1 : workers_);
+    if (threads_.size() >= wanted)
         return;
     try
     {
@@ -49,8 +119,8 @@ void ThreadPoolExecutor::startThreadFor(std::size_t inHand)
     }
     catch (const std::system_error&)
     {
-        // The system gives no more threads: the ones there are do the work, only none at all is an error.
-        if (threads_.empty())
+        // The system gives no more threads: those there are do the work, only none at all is an error.
+        if (threads_.empty() && !searchThreadWorks_)
             throw;
     }
 }
@@ -71,17 +141,51 @@ void ThreadPoolExecutor::collect(std::vector<Completion>& out, std::chrono::mill
         return;
     const std::size_t before = out.size();
     {
-        std::unique_lock lock(mutex_);
-        if (finished_.empty() && patience.count() > 0)
-        {
-            searchWaits_ = true;
-            resultAvailable_.wait_for(lock, patience, [this] { return !finished_.empty(); });
-            searchWaits_ = false;
-        }
-        std::ranges::move(finished_, std::back_inserter(out));
-        finished_.clear();
+        Lock lock(mutex_);
+        if (finished_.empty() && patience.count() > 0 && !workInstead(lock, out))
+            waitForResult(lock, patience);
+        take(out);
     }
+    for (std::size_t i = before; i < out.size(); ++i)
+        learn(out[i]);
     inHand_ -= out.size() - before;
+}
+
+void ThreadPoolExecutor::take(std::vector<Completion>& out)
+{
+    std::ranges::move(finished_, std::back_inserter(out));
+    finished_.clear();
+    done_.store(0, std::memory_order_relaxed);
+}
+
+/// Runs a queued check in the search thread, if that is a worker. Leaves the lock as it found it.
+bool ThreadPoolExecutor::workInstead(Lock& lock, std::vector<Completion>& out)
+{
+    if (!searchThreadWorks_ || (demanded_.empty() && speculative_.empty()))
+        return false;
+    const CheckId check = popQueue();
+    lock.unlock();
+    out.push_back(runCheck(checker_, check, workers_ - 1));
+    lock.lock();
+    return true;
+}
+
+void ThreadPoolExecutor::waitForResult(Lock& lock, std::chrono::milliseconds patience)
+{
+    if (spins_)
+    {
+        lock.unlock();
+        spin([this] { return done_.load(std::memory_order_relaxed) > 0; });
+        lock.lock();
+    }
+    searchWaits_ = true;
+    resultAvailable_.wait_for(lock, patience, [this] { return !finished_.empty(); });
+    searchWaits_ = false;
+}
+
+void ThreadPoolExecutor::learn(const Completion& completion)
+{
+    seconds_ = seconds_ == 1.0 ? completion.seconds : seconds_ + (completion.seconds - seconds_) * kAverageUpdate;
 }
 
 void ThreadPoolExecutor::cancelQueued(std::vector<CheckId>& dropped)
@@ -93,6 +197,20 @@ void ThreadPoolExecutor::cancelQueued(std::vector<CheckId>& dropped)
         dropped.insert(dropped.end(), speculative_.begin(), speculative_.end());
         demanded_.clear();
         speculative_.clear();
+        queued_.store(0, std::memory_order_relaxed);
+    }
+    inHand_ -= dropped.size() - before;
+}
+
+void ThreadPoolExecutor::cancelUnwanted(const std::function<bool(CheckId)>& isWanted, std::vector<CheckId>& dropped)
+{
+    if (queued_.load(std::memory_order_relaxed) == 0)
+        return;
+    const std::size_t before = dropped.size();
+    {
+        const std::lock_guard lock(mutex_);
+        takeUnwanted(speculative_, isWanted, dropped);
+        queued_.store(demanded_.size() + speculative_.size(), std::memory_order_relaxed);
     }
     inHand_ -= dropped.size() - before;
 }
@@ -102,25 +220,50 @@ double ThreadPoolExecutor::now() const noexcept
     return steadySeconds();
 }
 
+CheckId ThreadPoolExecutor::popQueue()
+{
+    std::deque<CheckId>& queue = demanded_.empty() ? speculative_ : demanded_;
+    const CheckId check = queue.front();
+    queue.pop_front();
+    queued_.fetch_sub(1, std::memory_order_relaxed);
+    return check;
+}
+
 void ThreadPoolExecutor::work(unsigned worker)
 {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     for (;;)
     {
-        workAvailable_.wait(lock, [this] { return ending_ || !demanded_.empty() || !speculative_.empty(); });
+        if (demanded_.empty() && speculative_.empty())
+            waitForWork(lock);
         if (ending_)
             return;
-        std::deque<CheckId>& queue = demanded_.empty() ? speculative_ : demanded_;
-        const CheckId check = queue.front();
-        queue.pop_front();
+        if (demanded_.empty() && speculative_.empty())
+            continue;
+        const CheckId check = popQueue();
 
         lock.unlock();
         Completion completion = runCheck(checker_, check, worker);
         lock.lock();
 
         finished_.push_back(std::move(completion));
+        done_.fetch_add(1, std::memory_order_relaxed);
         if (searchWaits_)
             resultAvailable_.notify_one();
     }
+}
+
+void ThreadPoolExecutor::waitForWork(Lock& lock)
+{
+    const auto isAwaited = [this] { return ending_ || !demanded_.empty() || !speculative_.empty(); };
+    if (spins_)
+    {
+        lock.unlock();
+        spin([this] { return queued_.load(std::memory_order_relaxed) > 0 || ending_.load(std::memory_order_relaxed); });
+        lock.lock();
+    }
+    ++sleepers_;
+    workAvailable_.wait(lock, isAwaited);
+    --sleepers_;
 }
 }  // namespace specplan::validity

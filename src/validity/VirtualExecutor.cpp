@@ -2,15 +2,22 @@
 #include "specplan/validity/VirtualExecutor.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "specplan/validity/RunCheck.h"
+#include "specplan/validity/TakeUnwanted.h"
 
 namespace specplan::validity
 {
 VirtualExecutor::VirtualExecutor(Checker& checker, unsigned workers, Cost cost)
     : checker_(checker), workers_(std::max(workers, 1U)), cost_(std::move(cost))
 {
+}
+
+Completion VirtualExecutor::runHere(CheckId)
+{
+    throw std::logic_error("a virtual executor has no worker in the calling thread");
 }
 
 unsigned VirtualExecutor::freeWorkers() const noexcept
@@ -64,6 +71,11 @@ void VirtualExecutor::cancelQueued(std::vector<CheckId>& dropped)
     dropped.insert(dropped.end(), speculative_.begin(), speculative_.end());
     demanded_.clear();
     speculative_.clear();
+}
+
+void VirtualExecutor::cancelUnwanted(const std::function<bool(CheckId)>& isWanted, std::vector<CheckId>& dropped)
+{
+    takeUnwanted(speculative_, isWanted, dropped);
 }
 
 void VirtualExecutor::startQueued()

@@ -123,7 +123,7 @@ TEST(Parameters, SettingsThatDoNotFitTheSpaceAreReported)
 TEST(Specs, AreHonest)
 {
     Scene scene;
-    const ob::PlannerSpecs& specs = SpeculativeAStar(scene.setup.getSpaceInformation()).getSpecs();
+    const ob::PlannerSpecs specs = SpeculativeAStar(scene.setup.getSpaceInformation()).getSpecs();
     EXPECT_TRUE(specs.multithreaded);
     EXPECT_TRUE(specs.optimizingPaths);
     EXPECT_TRUE(specs.approximateSolutions);

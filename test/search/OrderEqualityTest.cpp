@@ -9,6 +9,7 @@
 #include "RandomProblem.h"
 #include "specplan/search/AStar.h"
 #include "specplan/speculation/DirectionPolicy.h"
+#include "specplan/speculation/NeighbourPredictor.h"
 #include "specplan/speculation/RunAheadPolicy.h"
 #include "specplan/validity/InlineExecutor.h"
 #include "specplan/validity/ThreadPoolExecutor.h"
@@ -52,7 +53,8 @@ std::vector<Configuration> allConfigurations()
     std::vector<Configuration> all;
     for (const std::string kind : {"inline", "virtual", "threads"})
         for (const unsigned workers : {1U, 2U, 4U, 8U, 32U})
-            for (const std::string policy : {"none", "direction", "direction with barrier", "runahead"})
+            for (const std::string policy :
+                 {"none", "direction", "direction with barrier", "runahead optimistic", "runahead"})
             {
                 if (kind == "inline" && (workers > 1 || policy != "none"))
                     continue;
@@ -70,7 +72,7 @@ std::unique_ptr<speculation::Policy> makePolicy(const std::string& name, lattice
 {
     if (name == "none")
         return nullptr;
-    if (name == "runahead")
+    if (name.starts_with("runahead"))
         return std::make_unique<speculation::RunAheadPolicy>(lattice, broker, search, predictor);
     return std::make_unique<speculation::DirectionPolicy>(lattice, broker, name == "direction" ? 4 : 1);
 }
@@ -98,7 +100,10 @@ void expectSameSearch(const RandomProblem& problem, const CellSolution& referenc
     validity::Broker broker(*configuration.executor);
     broker.setBarrier(configuration.barrier);
     search::AStar search(lattice, heuristic, broker, problem.weight());
-    speculation::OptimisticPredictor predictor;
+    speculation::OptimisticPredictor optimist;
+    speculation::NeighbourPredictor neighbours(lattice);
+    speculation::Predictor& predictor =
+        configuration.policy == "runahead" ? static_cast<speculation::Predictor&>(neighbours) : optimist;
     const auto policy = makePolicy(configuration.policy, lattice, broker, search, predictor);
     broker.setSource(policy.get());
     search.setPolicy(policy.get());

@@ -15,20 +15,16 @@ using search::SearchStatus;
 using test::TextGrid;
 
 /// Knows every verdict beforehand.
-class Oracle : public Predictor
+class Oracle : public OptimisticPredictor
 {
 public:
     explicit Oracle(const TextGrid& grid) : grid_(grid)
     {
     }
 
-    [[nodiscard]] bool isLikelyValid(NodeId, NodeId node) const override
+    [[nodiscard]] double probabilityValid(NodeId node) const override
     {
-        return grid_.isFree(node);
-    }
-
-    void learned(NodeId, bool) override
-    {
+        return grid_.isFree(node) ? 1.0 : 1e-9;
     }
 
 private:

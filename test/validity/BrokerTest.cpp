@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "FakeChecker.h"
 #include "specplan/validity/InlineExecutor.h"
 #include "specplan/validity/ThreadPoolExecutor.h"
@@ -135,7 +137,8 @@ TEST(Broker, KeepsAskingAsWorkersFallFreeIfTheSourceLikes)
     v.source.asksAgain = true;
     EXPECT_TRUE(v.broker.demand(checks({0})));
     EXPECT_EQ(v.broker.now(), 3.5);
-    EXPECT_EQ(v.broker.statistics().speculativeChecks, 4U) << "one after the other beside the long one";
+    EXPECT_EQ(v.broker.statistics().speculativeChecks, 5U)
+        << "one after the other beside the long one, and one for after it";
 }
 
 TEST(Broker, ADemandedCheckThatRunsAlreadyIsWaitedForNotRunTwice)
@@ -211,20 +214,100 @@ TEST(Broker, AnInterruptEndsALongWaitAndNothingIsLost)
 {
     FakeChecker checker;
     std::atomic<bool> hold{true};
-    checker.during = [&hold](CheckId, unsigned)
+    checker.during = [&hold](CheckId check, unsigned)
     {
-        while (hold)
+        do
             std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        while (hold && check.node() > 0);
     };
-    ThreadPoolExecutor executor(checker, 2);
+    ThreadPoolExecutor executor(checker, 16);  // so many that the search thread is none of them
     Broker broker(executor);
+    EXPECT_TRUE(broker.demand(checks({0}))) << "shows that checks are dear";
     broker.setInterrupt([] { return true; });
-    EXPECT_FALSE(broker.demand(checks({0, 2})));
+    EXPECT_FALSE(broker.demand(checks({2, 4})));
     hold = false;
     broker.setInterrupt({});
-    EXPECT_TRUE(broker.demand(checks({0, 2})));
-    EXPECT_EQ(checker.calls, 2);
-    EXPECT_EQ(broker.statistics().checksUsed, 2U);
+    EXPECT_TRUE(broker.demand(checks({2, 4})));
+    EXPECT_EQ(checker.calls, 3);
+    EXPECT_EQ(broker.statistics().checksUsed, 3U);
+}
+
+/// A check that lasts as long as the test says.
+struct Timed
+{
+    explicit Timed(unsigned workers) : executor(checker, workers), broker(executor)
+    {
+        checker.during = [this](CheckId, unsigned)
+        {
+            if (std::this_thread::get_id() != here)
+                ++elsewhere;
+            if (duration.count() > 0)
+                std::this_thread::sleep_for(duration);
+        };
+        source.asksAgain = true;
+        broker.setSource(&source);
+    }
+
+    /// Demands `count` checks that were never asked for, one at a time.
+    void demandMore(std::uint32_t count)
+    {
+        for (; count > 0; --count)
+            EXPECT_TRUE(broker.demand(checks({next++})));
+    }
+
+    FakeChecker checker;
+    std::chrono::microseconds duration{0};
+    std::atomic<int> elsewhere{0};
+    std::thread::id here = std::this_thread::get_id();
+    std::uint32_t next = 0;
+    ListSource source;
+    ThreadPoolExecutor executor;
+    Broker broker;
+};
+
+TEST(Broker, CheapChecksRunInTheSearchThreadAndWakeNobody)
+{
+    for (const unsigned workers : {2U, 8U, 32U})
+    {
+        Timed t(workers);
+        t.demandMore(200);
+        EXPECT_EQ(t.elsewhere, 0);
+        EXPECT_TRUE(t.source.asked.empty());
+        EXPECT_EQ(t.broker.statistics().usedInline, 200U);
+        expectBooksBalance(t.broker.statistics());
+    }
+}
+
+TEST(Broker, OneOutlierDoesNotFlipTheModeButALastingChangeDoes)
+{
+    Timed t(16);
+    t.demandMore(50);
+    t.duration = std::chrono::milliseconds{2};
+    t.demandMore(1);
+    t.duration = std::chrono::microseconds{0};
+    t.demandMore(50);
+    EXPECT_EQ(t.elsewhere, 0);
+    t.duration = std::chrono::milliseconds{1};
+    t.demandMore(40);
+    EXPECT_GE(t.elsewhere, 20);
+    EXPECT_FALSE(t.source.asked.empty());
+    t.duration = std::chrono::microseconds{0};
+    t.demandMore(40);
+    const int before = t.elsewhere;
+    t.demandMore(20);
+    EXPECT_EQ(t.elsewhere, before) << "and back again";
+    expectBooksBalance(t.broker.statistics());
+}
+
+TEST(Broker, DearChecksGoToTheWorkersFromTheSecondOn)
+{
+    Timed t(16);
+    t.duration = std::chrono::milliseconds{1};
+    t.source.list = checks({100, 102, 104});
+    t.demandMore(3);
+    EXPECT_EQ(t.broker.statistics().usedInline, 1U);
+    EXPECT_GE(t.elsewhere, 2);
+    EXPECT_FALSE(t.source.asked.empty());
 }
 
 TEST(Broker, KnowsWhatItIsTold)

@@ -13,7 +13,7 @@
 #include "specplan/planner/PlannerSettings.h"
 #include "specplan/planner/RealVectorEmbedding.h"
 #include "specplan/search/AStar.h"
-#include "specplan/speculation/Predictor.h"
+#include "specplan/speculation/NeighbourPredictor.h"
 #include "specplan/validity/Broker.h"
 
 namespace specplan::planner
@@ -104,7 +104,7 @@ private:
     lattice::Lattice lattice_;
     std::optional<ObjectiveCost> motionCost_;  ///< empty for path length
     validity::Broker broker_;
-    speculation::OptimisticPredictor predictor_;
+    speculation::NeighbourPredictor predictor_;
     bool speculates_ = false;
     lattice::GridHeuristic gridHeuristic_;
     ObjectiveHeuristic objectiveHeuristic_;

@@ -19,9 +19,12 @@ namespace specplan::speculation
 /// meets them.
 ///
 /// Idea: if every open check came out as predicted, A* would go on in a way that is known in advance. So A* itself runs
-/// ahead, with an OPEN list and g-values of its own, and takes unknown states for what the predictor says. The shadow
-/// lives on from call to call. While predictions hold, the search merely follows it. When a verdict contradicts its
-/// prediction, what the shadow had reached through that state is taken back and joined again to what is still right.
+/// ahead, with an OPEN list and g-values of its own. It goes through states whose verdicts are still open, but the less
+/// likely the search is to get to a node, the later its turn: each node carries the product of the probabilities on the
+/// way to it, and its place on the shadow's OPEN is f - caution * scale * log(probability). The shadow lives on from
+/// call to call. While verdicts agree with what was likely, probabilities rise; when one says "invalid", what the
+/// shadow had reached through that state is taken back and joined again to what is still right. See docs/algorithm.md,
+/// "Run-ahead".
 ///
 /// Nothing depends on the shadow being exact: it only decides what is checked ahead.
 ///
@@ -36,6 +39,8 @@ public:
     void expanding(lattice::NodeId node, lattice::NodeId parent) override;
     void propose(std::size_t count, std::vector<lattice::CheckId>& out) override;
     void learned(lattice::CheckId check, bool valid) override;
+    void missed() override;
+    [[nodiscard]] bool stillWanted(lattice::CheckId check) const override;
 
     [[nodiscard]] bool keepsAsking() const noexcept override
     {
@@ -53,11 +58,14 @@ private:
     struct Node
     {
         double g = std::numeric_limits<double>::infinity();
-        double h = -1.0;  ///< weighted; negative: not asked yet
-        lattice::NodeId parent = lattice::kNoNode;
-        Status status = Status::Unseen;
-        bool heldBack = false;       ///< reached, but predicted to be invalid
+        double h = -1.0;             ///< weighted; negative: not asked yet
+        double probability = 1.0;    ///< that the search gets here: of its state, its motion and its parent
         std::uint64_t closedAs = 0;  ///< number of the shadow's expansion that closed it
+        lattice::NodeId parent = lattice::kNoNode;
+        lattice::NodeId askedFrom = lattice::kNoNode;  ///< expansion that wanted the state's check
+        float ofState = 1.0F;                          ///< that the state is valid
+        float ofMotion = 1.0F;                         ///< that the motion from the parent is
+        Status status = Status::Unseen;
     };
 
     /// A check that the shadow has met and that is not handed out yet; the one met first comes first.
@@ -74,15 +82,31 @@ private:
         }
     };
 
+    // Keeping up with the search.
     void synchronise();
     void importFrontier();
     void follow(lattice::NodeId node);
+
+    // Running ahead of it.
     [[nodiscard]] bool advance();
     void relaxFrom(lattice::NodeId node);
     void relax(lattice::NodeId from, const lattice::Successors::Edge& edge);
-    void retract(lattice::NodeId root);
+    [[nodiscard]] double checkMotion(lattice::NodeId from, const lattice::Successors::Edge& edge, bool endIsValid);
+    void push(lattice::NodeId id);
     void emit(lattice::CheckId check, lattice::NodeId from);
+
+    // Repair.
+    void confirmState(lattice::NodeId id);
+    void confirmMotion(lattice::NodeId id);
+    void emitMotionTo(lattice::NodeId id);
+    void raise(lattice::NodeId root, double factor);
+    void retract(lattice::NodeId root);
+    void retractGuarded(lattice::CheckId guard);
+
+    [[nodiscard]] bool isGuardedBy(lattice::NodeId end, lattice::CheckId guard);
     [[nodiscard]] bool isClosed(lattice::NodeId node) const;
+    [[nodiscard]] bool isChild(lattice::NodeId node, lattice::NodeId parent) const;
+    [[nodiscard]] static bool wouldComeFirst(const Node& node, const Node& other);
     Node& touch(lattice::NodeId node);
 
     lattice::Lattice& lattice_;
@@ -91,15 +115,17 @@ private:
     Predictor& predictor_;
 
     bool imported_ = false;
+    bool guarded_ = false;                 ///< steps need the states of further nodes
     std::vector<lattice::NodeId> behind_;  ///< expanded by the search, not yet by the shadow
     std::vector<Node> nodes_;
     util::OpenList open_;
+    double scale_ = 0.0;  ///< by how much f changes from a node to its successors, on average
     std::uint64_t pushes_ = 0;
     std::uint64_t expansions_ = 0;
     std::priority_queue<Pending, std::vector<Pending>, std::greater<>> pending_;
-    std::vector<lattice::NodeId> subtree_;
-    std::vector<lattice::NodeId> rim_;
-    lattice::Successors successors_;
-    lattice::Successors around_;
+    std::vector<lattice::NodeId> subtree_;  ///< scratch
+    std::vector<lattice::NodeId> rim_;      ///< scratch
+    lattice::Successors successors_;        ///< scratch
+    lattice::Successors around_;            ///< scratch
 };
 }  // namespace specplan::speculation

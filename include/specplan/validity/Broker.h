@@ -9,12 +9,16 @@
 
 #include "specplan/validity/CheckSource.h"
 #include "specplan/validity/CheckStatistics.h"
+#include "specplan/validity/CostMeter.h"
 #include "specplan/validity/Executor.h"
 #include "specplan/validity/VerdictTable.h"
 
 namespace specplan::validity
 {
 /// Stands between a search and the checks: knows every verdict, runs what is missing, and never runs a check twice.
+///
+/// The broker measures what checks cost. Where handing them over would cost more than it saves it runs them right away
+/// in the search thread, and asks nobody for checks to run ahead.
 ///
 /// Threads: search thread only; the executor is the one place where threads meet.
 class Broker
@@ -84,10 +88,16 @@ private:
     using Entry = VerdictTable::Entry;
 
     [[nodiscard]] bool demandMissing(std::span<const CheckId> checks);
-    [[nodiscard]] bool runInline();
+    [[nodiscard]] bool runHere();
+    [[nodiscard]] bool shouldRunHere() const;
+    void recordHere(CheckId check, Entry& entry);
     [[nodiscard]] bool waitForMissing();
     void submitMissing();
+    void noteReady(Entry& entry);
+    void feed();
     void askSource();
+    void dropUnwanted();
+    void drop(std::span<const CheckId> checks);
     void collect(std::chrono::milliseconds patience);
     void record(Completion& completion);
     void noteUse(Entry& entry);
@@ -96,8 +106,11 @@ private:
     Executor& executor_;
     CheckSource* source_ = nullptr;
     bool barrier_ = false;
+    bool sourceListens_ = true;  ///< the source has been told every verdict
+    bool sawInvalid_ = false;    ///< since queued checks were last looked through
     std::function<bool()> interrupt_;
     VerdictTable table_;
+    CostMeter cost_;
     std::map<CheckId, std::exception_ptr> errors_;  ///< of the entries marked failed
     std::vector<CheckId> missing_;                  ///< asked for and not known, in order
     std::size_t awaited_ = 0;                       ///< entries marked awaited

@@ -23,5 +23,16 @@ public:
 
     /// A verdict has come in, wanted or not.
     virtual void learned(lattice::CheckId check, bool valid) = 0;
+
+    /// Verdicts have come in that `learned` was not told of, because checks were too cheap to run ahead.
+    virtual void missed()
+    {
+    }
+
+    /// Whether a check that was proposed and has not started is still of use.
+    [[nodiscard]] virtual bool stillWanted(lattice::CheckId) const
+    {
+        return true;
+    }
 };
 }  // namespace specplan::validity

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <vector>
 
 #include "specplan/validity/Checker.h"
@@ -35,11 +36,24 @@ public:
     /// How many checks may run at once, at least 1.
     [[nodiscard]] virtual unsigned workers() const noexcept = 0;
 
-    /// Whether `submit` runs the check before it returns, so that it makes no sense to submit ahead of need.
+    /// Whether there is nobody but the calling thread to run checks, so that it makes no sense to submit ahead of need.
     [[nodiscard]] virtual bool runsInline() const noexcept = 0;
+
+    /// Whether `runHere` may be called now.
+    [[nodiscard]] virtual bool canRunHere() const noexcept = 0;
+
+    /// Runs a check in the calling thread before it returns.
+    [[nodiscard]] virtual Completion runHere(CheckId check) = 0;
 
     /// Workers that would start a check at once.
     [[nodiscard]] virtual unsigned freeWorkers() const noexcept = 0;
+
+    /// How many more checks it makes sense to submit: free workers, and a small supply so that none of them runs dry.
+    [[nodiscard]] virtual unsigned room() const noexcept = 0;
+
+    /// Whether workers have nothing left to begin, or `room` has grown so much that it is time to fill it. Cheap: asked
+    /// often.
+    [[nodiscard]] virtual bool runsDry() const noexcept = 0;
 
     /// Whether checks are queued, running, or finished and not collected.
     [[nodiscard]] virtual bool busy() const noexcept = 0;
@@ -52,11 +66,14 @@ public:
 
     /// Appends what has finished since the last call, in order of finishing.
     /// \param patience how long to wait for the first completion; 0 does not wait. Nothing to wait for: returns at
-    /// once.
+    /// once. Instead of waiting the calling thread may run a submitted check itself, and takes as long as that takes.
     virtual void collect(std::vector<Completion>& out, std::chrono::milliseconds patience) = 0;
 
     /// Takes back the checks that have not started, and appends them to `dropped`.
     virtual void cancelQueued(std::vector<CheckId>& dropped) = 0;
+
+    /// Takes back the speculative checks that have not started and that nobody wants any more.
+    virtual void cancelUnwanted(const std::function<bool(CheckId)>& isWanted, std::vector<CheckId>& dropped) = 0;
 
     /// Seconds on the executor's clock: real time, or virtual time.
     [[nodiscard]] virtual double now() const noexcept = 0;

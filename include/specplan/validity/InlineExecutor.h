@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "specplan/validity/Executor.h"
+#include "specplan/validity/InlineRunner.h"
 
 namespace specplan::validity
 {
 /// Runs each check in the calling thread: sequential A*. No thread, no lock.
-///
-/// Reading the clock costs as much as a cheap check: of checks below a microsecond every 16th is measured and stands
-/// for the others.
 class InlineExecutor : public Executor
 {
 public:
@@ -27,9 +24,29 @@ public:
         return true;
     }
 
+    [[nodiscard]] bool canRunHere() const noexcept override
+    {
+        return true;
+    }
+
+    [[nodiscard]] Completion runHere(CheckId check) override
+    {
+        return runner_.run(checker_, check, 0);
+    }
+
     [[nodiscard]] unsigned freeWorkers() const noexcept override
     {
         return 1;
+    }
+
+    [[nodiscard]] unsigned room() const noexcept override
+    {
+        return 0;
+    }
+
+    [[nodiscard]] bool runsDry() const noexcept override
+    {
+        return false;
     }
 
     [[nodiscard]] bool busy() const noexcept override
@@ -49,12 +66,15 @@ public:
     {
     }
 
+    void cancelUnwanted(const std::function<bool(CheckId)>&, std::vector<CheckId>&) override
+    {
+    }
+
     [[nodiscard]] double now() const noexcept override;
 
 private:
     Checker& checker_;
+    InlineRunner runner_;
     std::vector<Completion> finished_;
-    double lastSeconds_ = 1.0;  ///< duration of the last check that was measured
-    unsigned unmeasured_ = 0;   ///< checks since then
 };
 }  // namespace specplan::validity

@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
 #include <thread>
 #include <vector>
 
-#include "specplan/validity/Executor.h"
+#include "specplan/validity/InlineRunner.h"
 
 namespace specplan::validity
 {
-/// A persistent pool of worker threads. Threads start on first use, sleep when there is nothing to do, and end with the
-/// executor.
+/// A persistent pool of worker threads. Threads start on first use, spin for a moment when they run out of work, then
+/// sleep, and end with the executor.
 ///
-/// Threads: the search thread owns the executor; workers share only what `mutex_` guards. A worker never touches
-/// verdicts, the lattice's growing parts or statistics: it runs the check and leaves a Completion.
+/// With few workers the search thread is one of them: instead of waiting it runs checks from the queue. With many it
+/// only hands out and collects, since in the time of one check so much comes back that the others would run dry.
+///
+/// Threads: the search thread owns the executor; workers share only what `mutex_` guards, and the atomic counters that
+/// tell when it is worth taking. A worker never touches verdicts, the lattice's growing parts or statistics: it runs
+/// the check and leaves a Completion.
 class ThreadPoolExecutor : public Executor
 {
 public:
@@ -35,10 +40,19 @@ public:
         return false;
     }
 
+    [[nodiscard]] bool canRunHere() const noexcept override
+    {
+        return searchThreadWorks_ || inHand_ == 0;
+    }
+
+    [[nodiscard]] Completion runHere(CheckId check) override;
     [[nodiscard]] unsigned freeWorkers() const noexcept override
     {
         return inHand_ < workers_ ? workers_ - static_cast<unsigned>(inHand_) : 0;
     }
+
+    [[nodiscard]] unsigned room() const noexcept override;
+    [[nodiscard]] bool runsDry() const noexcept override;
 
     [[nodiscard]] bool busy() const noexcept override
     {
@@ -49,18 +63,36 @@ public:
     void promote(CheckId check) override;
     void collect(std::vector<Completion>& out, std::chrono::milliseconds patience) override;
     void cancelQueued(std::vector<CheckId>& dropped) override;
+    void cancelUnwanted(const std::function<bool(CheckId)>& isWanted, std::vector<CheckId>& dropped) override;
     [[nodiscard]] double now() const noexcept override;
 
 private:
+    using Lock = std::unique_lock<std::mutex>;
+
     void startThreadFor(std::size_t inHand);
+    void take(std::vector<Completion>& out);
+    [[nodiscard]] bool workInstead(Lock& lock, std::vector<Completion>& out);
+    void waitForResult(Lock& lock, std::chrono::milliseconds patience);
+    void learn(const Completion& completion);
+    [[nodiscard]] CheckId popQueue();
     void work(unsigned worker);
+    void waitForWork(Lock& lock);
 
     Checker& checker_;
     const unsigned workers_;
+    const bool searchThreadWorks_;
+    const bool spins_;  ///< there is a core for every thread
 
     // Search thread only.
     std::size_t inHand_ = 0;  ///< submitted and not collected
+    double seconds_ = 1.0;    ///< running average of the duration of a check
+    InlineRunner runner_;
     std::vector<std::thread> threads_;
+
+    // Written under mutex_; read without it as hints.
+    std::atomic<std::size_t> queued_{0};
+    std::atomic<std::size_t> done_{0};
+    std::atomic<bool> ending_{false};
 
     // Guarded by mutex_.
     std::mutex mutex_;
@@ -69,7 +101,7 @@ private:
     std::deque<CheckId> demanded_;
     std::deque<CheckId> speculative_;
     std::vector<Completion> finished_;
-    bool searchWaits_ = false;
-    bool ending_ = false;
+    unsigned sleepers_ = 0;     ///< workers that have to be woken
+    bool searchWaits_ = false;  ///< the search thread has to be
 };
 }  // namespace specplan::validity

@@ -34,12 +34,34 @@ public:
         return false;
     }
 
+    /// Its worker would be one too many.
+    [[nodiscard]] bool canRunHere() const noexcept override
+    {
+        return false;
+    }
+
+    /// \throws std::logic_error: see canRunHere.
+    [[nodiscard]] Completion runHere(CheckId check) override;
+
     [[nodiscard]] unsigned freeWorkers() const noexcept override;
+
+    [[nodiscard]] unsigned room() const noexcept override
+    {
+        return freeWorkers();
+    }
+
+    /// Time stands still while the search works.
+    [[nodiscard]] bool runsDry() const noexcept override
+    {
+        return false;
+    }
+
     [[nodiscard]] bool busy() const noexcept override;
     void submit(CheckId check, Urgency urgency) override;
     void promote(CheckId check) override;
     void collect(std::vector<Completion>& out, std::chrono::milliseconds patience) override;
     void cancelQueued(std::vector<CheckId>& dropped) override;
+    void cancelUnwanted(const std::function<bool(CheckId)>& isWanted, std::vector<CheckId>& dropped) override;
 
     [[nodiscard]] double now() const noexcept override
     {
