@@ -21,6 +21,10 @@ constexpr double kSpinSeconds = 20e-6;
 /// What the supply of queued checks has to bridge: the time that the search may take until it hands out more.
 constexpr double kSupplySeconds = 40e-6;
 
+/// A check that is on a processor for this share of its time counts as busy; where threads share processors, busy ones
+/// may come close.
+constexpr double kBusyShare = 0.2;
+
 /// Share of the newest check in the average duration.
 constexpr double kAverageUpdate = 0.05;
 
@@ -53,8 +57,8 @@ void spin(const Ready& ready)
 ThreadPoolExecutor::ThreadPoolExecutor(Checker& checker, unsigned workers)
     : checker_(checker),
       workers_(std::max(workers, 1U)),
-      searchThreadWorks_(workers_ > 1 && workers_ <= kFewWorkers),
-      spins_(workers_ <= std::thread::hardware_concurrency())
+      processors_(std::max(std::thread::hardware_concurrency(), 1U)),
+      threadLimit_(workers_)
 {
     threads_.reserve(workers_);
 }
@@ -75,16 +79,23 @@ ThreadPoolExecutor::~ThreadPoolExecutor()
 Completion ThreadPoolExecutor::runHere(CheckId check)
 {
     // The last worker's number belongs to the search thread, or to a thread that has nothing to do now.
-    return runner_.run(checker_, check, workers_ - 1);
+    Completion completion = runner_.run(checker_, check, workers_ - 1);
+    learn(completion);
+    return completion;
+}
+
+bool ThreadPoolExecutor::searchThreadWorks() const noexcept
+{
+    // It takes the number of the last worker, whose thread must then not exist.
+    return usedWorkers() > 1 && usedWorkers() <= kFewWorkers && threads_.size() < workers_;
 }
 
 unsigned ThreadPoolExecutor::room() const noexcept
 {
     // A search thread that works comes back after a check: until then the others live on the supply.
-    const double most = 4.0 * workers_;
-    const double supply = std::ceil(std::min(workers_ * kSupplySeconds / std::max(seconds_, 1e-9) - 0.1, most));
-    const std::size_t wanted =
-        workers_ + std::max(searchThreadWorks_ ? workers_ : 0U, static_cast<unsigned>(std::max(supply, 0.0)));
+    const unsigned used = usedWorkers();
+    const double supply = std::floor(std::clamp(used * kSupplySeconds / std::max(seconds_, 1e-9), 0.0, 4.0 * used));
+    const std::size_t wanted = used + std::max(searchThreadWorks() ? used : 0U, static_cast<unsigned>(supply));
     return inHand_ < wanted ? static_cast<unsigned>(wanted - inHand_) : 0;
 }
 
@@ -101,7 +112,7 @@ void ThreadPoolExecutor::submit(CheckId check, Urgency urgency)
         const std::lock_guard lock(mutex_);
         (urgency == Urgency::Demanded ? demanded_ : speculative_).push_back(check);
         queued_.fetch_add(1, std::memory_order_relaxed);
-        wake = sleepers_ > 0;
+        wake = sleepers_ > 0 && running_ < threadLimit_;
     }
     ++inHand_;
     if (wake)
@@ -110,7 +121,7 @@ void ThreadPoolExecutor::submit(CheckId check, Urgency urgency)
 
 void ThreadPoolExecutor::startThreadFor(std::size_t inHand)
 {
-    const std::size_t wanted = std::min<std::size_t>(inHand, searchThreadWorks_ ? workers_ - 1 : workers_);
+    const std::size_t wanted = std::min<std::size_t>(inHand, searchThreadWorks() ? usedWorkers() - 1 : usedWorkers());
     if (threads_.size() >= wanted)
         return;
     try
@@ -120,7 +131,7 @@ void ThreadPoolExecutor::startThreadFor(std::size_t inHand)
     catch (const std::system_error&)
     {
         // The system gives no more threads: those there are do the work, only none at all is an error.
-        if (threads_.empty() && !searchThreadWorks_)
+        if (threads_.empty() && !searchThreadWorks())
             throw;
     }
 }
@@ -161,18 +172,18 @@ void ThreadPoolExecutor::take(std::vector<Completion>& out)
 /// Runs a queued check in the search thread, if that is a worker. Leaves the lock as it found it.
 bool ThreadPoolExecutor::workInstead(Lock& lock, std::vector<Completion>& out)
 {
-    if (!searchThreadWorks_ || (demanded_.empty() && speculative_.empty()))
+    if (!searchThreadWorks() || (demanded_.empty() && speculative_.empty()))
         return false;
     const CheckId check = popQueue();
     lock.unlock();
-    out.push_back(runCheck(checker_, check, workers_ - 1));
+    out.push_back(runner_.run(checker_, check, workers_ - 1));
     lock.lock();
     return true;
 }
 
 void ThreadPoolExecutor::waitForResult(Lock& lock, std::chrono::milliseconds patience)
 {
-    if (spins_)
+    if (usedWorkers() <= processors_)
     {
         lock.unlock();
         spin([this] { return done_.load(std::memory_order_relaxed) > 0; });
@@ -185,6 +196,11 @@ void ThreadPoolExecutor::waitForResult(Lock& lock, std::chrono::milliseconds pat
 
 void ThreadPoolExecutor::learn(const Completion& completion)
 {
+    if (completion.busyShare >= 0.0)
+    {
+        busyChecks_.add(completion.busyShare > kBusyShare);
+        threadLimit_ = usedWorkers() - (searchThreadWorks() ? 1 : 0);
+    }
     seconds_ = seconds_ == 1.0 ? completion.seconds : seconds_ + (completion.seconds - seconds_) * kAverageUpdate;
 }
 
@@ -229,23 +245,29 @@ CheckId ThreadPoolExecutor::popQueue()
     return check;
 }
 
+bool ThreadPoolExecutor::hasWork() const
+{
+    return !(demanded_.empty() && speculative_.empty()) && running_ < threadLimit_;
+}
+
 void ThreadPoolExecutor::work(unsigned worker)
 {
+    InlineRunner runner;
     Lock lock(mutex_);
     for (;;)
     {
-        if (demanded_.empty() && speculative_.empty())
+        if (!hasWork())
             waitForWork(lock);
         if (ending_)
             return;
-        if (demanded_.empty() && speculative_.empty())
-            continue;
         const CheckId check = popQueue();
+        ++running_;
 
         lock.unlock();
-        Completion completion = runCheck(checker_, check, worker);
+        Completion completion = runner.run(checker_, check, worker);
         lock.lock();
 
+        --running_;
         finished_.push_back(std::move(completion));
         done_.fetch_add(1, std::memory_order_relaxed);
         if (searchWaits_)
@@ -253,17 +275,18 @@ void ThreadPoolExecutor::work(unsigned worker)
     }
 }
 
+/// Returns when there is work, or at the end.
 void ThreadPoolExecutor::waitForWork(Lock& lock)
 {
-    const auto isAwaited = [this] { return ending_ || !demanded_.empty() || !speculative_.empty(); };
-    if (spins_)
+    const bool spins = threadLimit_ <= processors_ && running_ < threadLimit_;
+    if (spins)
     {
         lock.unlock();
         spin([this] { return queued_.load(std::memory_order_relaxed) > 0 || ending_.load(std::memory_order_relaxed); });
         lock.lock();
     }
     ++sleepers_;
-    workAvailable_.wait(lock, isAwaited);
+    workAvailable_.wait(lock, [this] { return ending_ || hasWork(); });
     --sleepers_;
 }
 }  // namespace specplan::validity

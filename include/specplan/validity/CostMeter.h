@@ -1,33 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <bit>
-#include <cstdint>
+#include "specplan/validity/MajorityVote.h"
 
 namespace specplan::validity
 {
-/// Tells whether checks are too cheap to be handed to another thread, by a majority among the last ones measured: an
-/// outlier changes nothing, a lasting change does within eight checks.
+/// Tells whether checks are too cheap to be handed to another thread.
 class CostMeter
 {
 public:
     void add(double seconds) noexcept
     {
         // Not the same limit both ways, so that costs near it do not make it waver.
-        const bool dear = seconds > (isCheap() && count_ > 0 ? kDear : kCheap);
-        dear_ = static_cast<std::uint16_t>((dear_ << 1U | (dear ? 1U : 0U)) & kWindow);
-        count_ += count_ < kMeasured ? 1U : 0U;
+        cheap_.add(seconds < (isCheap() ? kDear : kCheap));
     }
 
     /// False as long as nothing is known.
     [[nodiscard]] bool isCheap() const noexcept
     {
-        return count_ > 0 && 2U * static_cast<unsigned>(std::popcount(dear_)) < count_;
+        return cheap_.yes();
     }
 
     [[nodiscard]] bool knowsNothing() const noexcept
     {
-        return count_ == 0;
+        return cheap_.isEmpty();
     }
 
 private:
@@ -35,10 +31,7 @@ private:
     /// cores.
     static constexpr double kCheap = 6e-6;
     static constexpr double kDear = 9e-6;
-    static constexpr unsigned kMeasured = 15;
-    static constexpr unsigned kWindow = (1U << kMeasured) - 1U;
 
-    std::uint16_t dear_ = 0;  ///< one bit for each of the last checks, newest lowest
-    unsigned count_ = 0;
+    MajorityVote cheap_;
 };
 }  // namespace specplan::validity

@@ -15,15 +15,18 @@ class InlineRunner
 public:
     [[nodiscard]] Completion run(Checker& checker, CheckId check, unsigned worker) noexcept
     {
-        if (lastSeconds_ < kCheapSeconds && ++unmeasured_ < kSampleEvery)
+        const bool sampled = count_++ % kSampleEvery == 0;
+        if (lastSeconds_ < kCheapSeconds && !sampled)
         {
             Completion completion = runCheckUnmeasured(checker, check, worker);
             completion.seconds = lastSeconds_;
             return completion;
         }
+        const double cpu = sampled ? threadCpuSeconds() : 0.0;
         Completion completion = runCheck(checker, check, worker);
+        if (sampled && completion.seconds > kCheapSeconds)
+            completion.busyShare = (threadCpuSeconds() - cpu) / completion.seconds;
         lastSeconds_ = completion.seconds;
-        unmeasured_ = 0;
         return completion;
     }
 
@@ -32,6 +35,6 @@ private:
     static constexpr unsigned kSampleEvery = 16;
 
     double lastSeconds_ = 1.0;  ///< duration of the last check that was measured
-    unsigned unmeasured_ = 0;   ///< checks since then
+    unsigned count_ = 0;
 };
 }  // namespace specplan::validity

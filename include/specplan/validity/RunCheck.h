@@ -8,6 +8,9 @@ namespace specplan::validity
 /// Seconds on the steady clock.
 [[nodiscard]] double steadySeconds() noexcept;
 
+/// Seconds of processor time that the calling thread has had.
+[[nodiscard]] double threadCpuSeconds() noexcept;
+
 /// Runs one check, measures it, and catches what it throws.
 [[nodiscard]] Completion runCheck(Checker& checker, CheckId check, unsigned worker) noexcept;
 

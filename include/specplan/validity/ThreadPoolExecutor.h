@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <deque>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "specplan/validity/InlineRunner.h"
+#include "specplan/validity/MajorityVote.h"
 
 namespace specplan::validity
 {
@@ -42,13 +44,13 @@ public:
 
     [[nodiscard]] bool canRunHere() const noexcept override
     {
-        return searchThreadWorks_ || inHand_ == 0;
+        return searchThreadWorks() || inHand_ == 0;
     }
 
     [[nodiscard]] Completion runHere(CheckId check) override;
     [[nodiscard]] unsigned freeWorkers() const noexcept override
     {
-        return inHand_ < workers_ ? workers_ - static_cast<unsigned>(inHand_) : 0;
+        return inHand_ < usedWorkers() ? usedWorkers() - static_cast<unsigned>(inHand_) : 0;
     }
 
     [[nodiscard]] unsigned room() const noexcept override;
@@ -69,29 +71,38 @@ public:
 private:
     using Lock = std::unique_lock<std::mutex>;
 
+    /// Workers that may run now.
+    [[nodiscard]] unsigned usedWorkers() const noexcept
+    {
+        return busyChecks_.yes() ? std::min(workers_, processors_) : workers_;
+    }
+
+    [[nodiscard]] bool searchThreadWorks() const noexcept;
     void startThreadFor(std::size_t inHand);
     void take(std::vector<Completion>& out);
     [[nodiscard]] bool workInstead(Lock& lock, std::vector<Completion>& out);
     void waitForResult(Lock& lock, std::chrono::milliseconds patience);
     void learn(const Completion& completion);
+    [[nodiscard]] bool hasWork() const;
     [[nodiscard]] CheckId popQueue();
     void work(unsigned worker);
     void waitForWork(Lock& lock);
 
     Checker& checker_;
     const unsigned workers_;
-    const bool searchThreadWorks_;
-    const bool spins_;  ///< there is a core for every thread
+    const unsigned processors_;
 
     // Search thread only.
-    std::size_t inHand_ = 0;  ///< submitted and not collected
-    double seconds_ = 1.0;    ///< running average of the duration of a check
+    std::size_t inHand_ = 0;   ///< submitted and not collected
+    double seconds_ = 1.0;     ///< running average of the duration of a check
+    MajorityVote busyChecks_;  ///< whether checks keep a processor busy
     InlineRunner runner_;
     std::vector<std::thread> threads_;
 
     // Written under mutex_; read without it as hints.
     std::atomic<std::size_t> queued_{0};
     std::atomic<std::size_t> done_{0};
+    std::atomic<unsigned> threadLimit_;  ///< pool threads that may run a check now
     std::atomic<bool> ending_{false};
 
     // Guarded by mutex_.
@@ -101,7 +112,8 @@ private:
     std::deque<CheckId> demanded_;
     std::deque<CheckId> speculative_;
     std::vector<Completion> finished_;
-    unsigned sleepers_ = 0;     ///< workers that have to be woken
+    unsigned running_ = 0;      ///< pool threads that run a check
+    unsigned sleepers_ = 0;     ///< pool threads that have to be woken
     bool searchWaits_ = false;  ///< the search thread has to be
 };
 }  // namespace specplan::validity
