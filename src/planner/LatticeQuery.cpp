@@ -50,7 +50,7 @@ std::unique_ptr<speculation::Policy> LatticeQuery::makePolicy()
     if (speculates_ && settings_.speculationPolicy == "direction")
         return std::make_unique<speculation::DirectionPolicy>(lattice_, broker_, settings_.lookahead);
     if (speculates_ && settings_.speculationPolicy == "runahead")
-        return std::make_unique<speculation::RunAheadPolicy>(lattice_, broker_, *search_, predictor_);
+        return std::make_unique<speculation::RunAheadPolicy>(lattice_, broker_, *search_, predictor_, settings_.weight);
     return nullptr;
 }
 

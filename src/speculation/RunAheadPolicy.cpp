@@ -14,20 +14,25 @@ namespace
 {
 constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
-/// How much later an unlikely node has its turn. Found by experiment: anything from 2 to 6 is nearly as good.
-constexpr double kCaution = 4.0;
+/// How much later an unlikely node has its turn, for weight 1. Found by experiment: anything from 0.3 to 4 is nearly as
+/// good.
+constexpr double kCaution = 1.0;
 
 /// The shadow stops at a goal that the search is this likely to reach. Otherwise it goes on: workers would have nothing
 /// to do.
 constexpr double kSure = 0.9;
 
-/// Share of the newest value in the average step of f.
-constexpr double kScaleUpdate = 1e-3;
+/// Number of values that the average step of f remembers.
+constexpr double kScaleMemory = 1000.0;
 }  // namespace
 
 RunAheadPolicy::RunAheadPolicy(lattice::Lattice& lattice, const validity::Broker& broker, const FrontierView& frontier,
-                               Predictor& predictor)
-    : lattice_(lattice), broker_(broker), frontier_(frontier), predictor_(predictor)
+                               Predictor& predictor, double weight)
+    : lattice_(lattice),
+      broker_(broker),
+      frontier_(frontier),
+      predictor_(predictor),
+      caution_(kCaution / std::sqrt(weight))
 {
 }
 
@@ -158,7 +163,8 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
     const double ofMotion = checkMotion(from, edge, verdict == Verdict::Valid);
     if (ofMotion == 0.0)
         return;
-    scale_ += (std::abs(g + end.h - nodes_[from].g - nodes_[from].h) - scale_) * kScaleUpdate;
+    steps_ = std::min(steps_ + 1.0, kScaleMemory);
+    scale_ += (std::abs(g + end.h - nodes_[from].g - nodes_[from].h) - scale_) / steps_;
     end.g = g;
     end.parent = from;
     end.ofState = verdict == Verdict::Valid ? 1.0F : static_cast<float>(predictor_.probabilityValid(edge.node));
@@ -182,8 +188,9 @@ double RunAheadPolicy::checkMotion(NodeId from, const lattice::Successors::Edge&
             continue;
         if (verdict == Verdict::Unknown && endIsValid)
             emit(inner, from);
-        probability *=
-            inner.isMotion() ? predictor_.probabilityMotionValid() : predictor_.probabilityValid(inner.node());
+        // The states that guard a step lie beside its end: whether they are valid is no second question.
+        if (inner.isMotion())
+            probability *= predictor_.probabilityMotionValid();
     }
     return probability;
 }
@@ -191,7 +198,7 @@ double RunAheadPolicy::checkMotion(NodeId from, const lattice::Successors::Edge&
 void RunAheadPolicy::push(NodeId id)
 {
     const Node& node = nodes_[id];
-    open_.push(id, {node.g + node.h - kCaution * scale_ * std::log(node.probability), node.g, pushes_++});
+    open_.push(id, {node.g + node.h - caution_ * scale_ * std::log(node.probability), node.g, pushes_++});
 }
 
 void RunAheadPolicy::emit(CheckId check, NodeId from)

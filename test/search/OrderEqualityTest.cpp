@@ -73,7 +73,7 @@ std::unique_ptr<speculation::Policy> makePolicy(const std::string& name, lattice
     if (name == "none")
         return nullptr;
     if (name.starts_with("runahead"))
-        return std::make_unique<speculation::RunAheadPolicy>(lattice, broker, search, predictor);
+        return std::make_unique<speculation::RunAheadPolicy>(lattice, broker, search, predictor, 1.0);
     return std::make_unique<speculation::DirectionPolicy>(lattice, broker, name == "direction" ? 4 : 1);
 }
 

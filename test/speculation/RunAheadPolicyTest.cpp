@@ -47,7 +47,8 @@ Result runWith(bool oracle, unsigned workers, bool motionChecks = false)
     TextGrid grid(kWall, workers, motionChecks);
     OptimisticPredictor optimist;
     Oracle seer(grid);
-    RunAheadPolicy policy(grid.lattice, grid.broker, grid.search, oracle ? static_cast<Predictor&>(seer) : optimist);
+    RunAheadPolicy policy(grid.lattice, grid.broker, grid.search, oracle ? static_cast<Predictor&>(seer) : optimist,
+                          1.0);
     grid.use(policy);
     EXPECT_EQ(grid.run(), SearchStatus::Solved);
     return {grid.broker.now(), grid.broker.statistics(), grid.search.orderHash()};
@@ -102,7 +103,7 @@ TEST(RunAheadPolicy, ProposesInTheOrderInWhichTheSearchNeedsThem)
     EXPECT_EQ(first.run(), SearchStatus::Solved);
     TextGrid second(std::vector<std::string>(9, "S.................G."), 1);
     OptimisticPredictor optimist;
-    RunAheadPolicy policy(second.lattice, second.broker, second.search, optimist);
+    RunAheadPolicy policy(second.lattice, second.broker, second.search, optimist, 1.0);
     std::vector<CheckId> proposed;
     policy.propose(first.checked.size(), proposed);
     const auto at = [](const TextGrid& grid, CheckId check)

@@ -32,9 +32,10 @@ namespace specplan::speculation
 class RunAheadPolicy : public Policy
 {
 public:
-    /// All references must outlive the policy.
+    /// All references must outlive the policy. \param weight of the heuristic: the greedier the search, the straighter
+    /// the shadow follows the likeliest way.
     RunAheadPolicy(lattice::Lattice& lattice, const validity::Broker& broker, const FrontierView& frontier,
-                   Predictor& predictor);
+                   Predictor& predictor, double weight);
 
     void expanding(lattice::NodeId node, lattice::NodeId parent) override;
     void propose(std::size_t count, std::vector<lattice::CheckId>& out) override;
@@ -113,6 +114,7 @@ private:
     const validity::Broker& broker_;
     const FrontierView& frontier_;
     Predictor& predictor_;
+    double caution_;
 
     bool imported_ = false;
     bool guarded_ = false;                 ///< steps need the states of further nodes
@@ -120,6 +122,7 @@ private:
     std::vector<Node> nodes_;
     util::OpenList open_;
     double scale_ = 0.0;  ///< by how much f changes from a node to its successors, on average
+    double steps_ = 0.0;  ///< how many steps that average has seen, up to its memory
     std::uint64_t pushes_ = 0;
     std::uint64_t expansions_ = 0;
     std::priority_queue<Pending, std::vector<Pending>, std::greater<>> pending_;
