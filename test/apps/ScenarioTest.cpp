@@ -9,8 +9,7 @@
 #include <iostream>
 
 #include "Command.h"
-#include "specplan/planner/SpeculativeAStar.h"
-#include "specplan/problems/GridSetup.h"
+#include "PlannedLength.h"
 #include "specplan/problems/MovingAi.h"
 
 namespace specplan::test
@@ -36,21 +35,6 @@ protected:
 private:
     std::string folder_;
 };
-
-/// Length of the path that the planner finds for an entry.
-double plannedLength(const problems::GridMap& map, const problems::ScenarioEntry& entry)
-{
-    const auto setup =
-        problems::makeGridSetup({map, entry.start, entry.goal}, entry.map, problems::GridCost::Length, {});
-    PlannerSettings settings = problems::gridPlannerSettings(false);
-    settings.numThreads = 1;
-    const auto planner = std::make_shared<SpeculativeAStar>(setup->getSpaceInformation(), settings);
-    planner->setProblemDefinition(setup->getProblemDefinition());
-    setup->getSpaceInformation()->setup();
-    planner->setup();
-    planner->solve(ompl::base::plannerNonTerminatingCondition());
-    return planner->getReport().cost;
-}
 
 /// How many of every n-th entries have the scenario's length within its rounding.
 struct Agreement

@@ -6,9 +6,8 @@
 #include <filesystem>
 
 #include "Command.h"
+#include "PlannedLength.h"
 #include "Scenarios.h"
-#include "specplan/planner/SpeculativeAStar.h"
-#include "specplan/problems/GridSetup.h"
 
 namespace specplan::make_scenes
 {
@@ -42,18 +41,8 @@ TEST(Scenes, PlannerFindsTheScenariosOptimalLengths)
 {
     for (const Scene& scene : makeAllScenes())
         for (const problems::ScenarioEntry& entry : problems::readMovingAiScenario(test::scene(scene.file + ".scen")))
-        {
-            const auto setup = problems::makeGridSetup({scene.map, entry.start, entry.goal}, scene.file,
-                                                       problems::GridCost::Length, {});
-            PlannerSettings settings = problems::gridPlannerSettings(false);
-            settings.numThreads = 1;
-            const auto planner = std::make_shared<SpeculativeAStar>(setup->getSpaceInformation(), settings);
-            planner->setProblemDefinition(setup->getProblemDefinition());
-            setup->getSpaceInformation()->setup();
-            planner->setup();
-            planner->solve(ompl::base::plannerNonTerminatingCondition());
-            EXPECT_NEAR(planner->getReport().cost, entry.optimalLength, 1e-6) << scene.file << ' ' << entry.bucket;
-        }
+            EXPECT_NEAR(test::plannedLength(scene.map, entry), entry.optimalLength, 1e-6)
+                << scene.file << ' ' << entry.bucket;
 }
 
 TEST(Distances, DoNotCutCorners)
