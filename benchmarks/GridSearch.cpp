@@ -9,7 +9,8 @@
 #include "specplan/lattice/GridNeighbourhood.h"
 #include "specplan/search/AStar.h"
 #include "specplan/speculation/DirectionPolicy.h"
-#include "specplan/speculation/NeighbourPredictor.h"
+#include "specplan/speculation/LearningPredictor.h"
+#include "specplan/speculation/NearbyPredictor.h"
 #include "specplan/speculation/RunAheadPolicy.h"
 #include "specplan/util/Hash.h"
 #include "specplan/validity/RunCheck.h"
@@ -93,6 +94,15 @@ lattice::GridSteps stepsOf(const GridSearch& search)
     return steps;
 }
 
+std::unique_ptr<speculation::Predictor> makePredictor(const std::string& name, lattice::Lattice& lattice)
+{
+    if (name == "optimistic")
+        return std::make_unique<speculation::OptimisticPredictor>();
+    if (name == "nearby")
+        return std::make_unique<speculation::NearbyPredictor>(lattice);
+    return std::make_unique<speculation::LearningPredictor>(lattice);
+}
+
 std::unique_ptr<speculation::Policy> makePolicy(const std::string& name, lattice::Lattice& lattice,
                                                 validity::Broker& broker, const search::AStar& search,
                                                 speculation::Predictor& predictor, double weight)
@@ -127,8 +137,8 @@ Outcome searchVirtually(const GridSearch& wanted)
     search::AStar search(lattice,
                          wanted.cost == GridCost::Length ? static_cast<const lattice::Heuristic&>(octile) : moves,
                          broker, wanted.weight);
-    speculation::NeighbourPredictor predictor(lattice);
-    const auto policy = makePolicy(wanted.policy, lattice, broker, search, predictor, wanted.weight);
+    const auto predictor = makePredictor(wanted.predictor, lattice);
+    const auto policy = makePolicy(wanted.policy, lattice, broker, search, *predictor, wanted.weight);
     broker.setSource(policy.get());
     search.setPolicy(policy.get());
     search.addGoal(node(goal));

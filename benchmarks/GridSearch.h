@@ -24,7 +24,8 @@ struct GridSearch
     const problems::GridProblem* problem;
     problems::GridCost cost = problems::GridCost::Length;
     bool cornerCutting = false;
-    std::string policy = "runahead";  ///< none, direction (as published, with barrier), runahead
+    std::string policy = "runahead";     ///< none, direction (as published, with barrier), runahead
+    std::string predictor = "learning";  ///< optimistic, nearby, learning
     unsigned workers = 32;
     double weight = 1.0;
     Durations durations = Durations::Constant;

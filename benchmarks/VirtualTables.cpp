@@ -65,34 +65,37 @@ class Bench
 public:
     explicit Bench(std::ostream& csv) : csv_(csv)
     {
-        csv_ << "problem,policy,workers,weight,durations,speedup,efficiency,accuracy,coverage,expansions,checks_used,"
+        csv_ << "problem,policy,predictor,workers,weight,durations,speedup,efficiency,accuracy,coverage,expansions,"
+                "checks_used,"
                 "demanded_per_expansion,ahead_per_expansion,search_us_per_check\n";
     }
 
-    Outcome run(const Case& problem, const std::string& policy, unsigned workers, double weight, Durations durations)
+    Outcome run(const Case& problem, const std::string& policy, unsigned workers, double weight, Durations durations,
+                const std::string& predictor = "learning")
     {
         const Outcome outcome = searchVirtually(
-            {&problem.problem, problem.cost, problem.cornerCutting, policy, workers, weight, durations});
+            {&problem.problem, problem.cost, problem.cornerCutting, policy, predictor, workers, weight, durations});
         const auto& counts = outcome.counts;
         const auto expansions = static_cast<double>(outcome.expansions);
-        csv_ << problem.name << ',' << policy << ',' << workers << ',' << weight << ',' << static_cast<int>(durations)
-             << ',' << outcome.speedup << ',' << outcome.speedup / workers << ',' << counts.accuracy() << ','
-             << counts.coverage() << ',' << outcome.expansions << ',' << counts.checksUsed << ','
-             << static_cast<double>(counts.demandedChecks) / expansions << ','
+        csv_ << problem.name << ',' << policy << ',' << predictor << ',' << workers << ',' << weight << ','
+             << static_cast<int>(durations) << ',' << outcome.speedup << ',' << outcome.speedup / workers << ','
+             << counts.accuracy() << ',' << counts.coverage() << ',' << outcome.expansions << ',' << counts.checksUsed
+             << ',' << static_cast<double>(counts.demandedChecks) / expansions << ','
              << static_cast<double>(counts.speculativeChecks) / expansions << ','
              << outcome.searchSeconds * 1e6 / static_cast<double>(counts.checksRun) << '\n';
         return outcome;
     }
 
     /// Speed-ups on all problems of a suite as cells of a table, and their geometric mean.
-    void row(const Suite& suite, const std::string& policy, unsigned workers, double weight, Durations durations)
+    void row(const Suite& suite, const std::string& policy, unsigned workers, double weight, Durations durations,
+             const std::string& predictor = "learning")
     {
         double logs = 0.0;
         double accuracy = 0.0;
         double coverage = 0.0;
         for (const Case& problem : suite)
         {
-            const Outcome outcome = run(problem, policy, workers, weight, durations);
+            const Outcome outcome = run(problem, policy, workers, weight, durations, predictor);
             logs += std::log(outcome.speedup);
             accuracy += outcome.counts.accuracy() / static_cast<double>(suite.size());
             coverage += outcome.counts.coverage() / static_cast<double>(suite.size());
@@ -134,6 +137,13 @@ void printSuite(Bench& bench, const Suite& suite, const std::string& name)
                 bench.row(suite, policy, workers, weight, Durations::Constant);
             }
     }
+    heading(suite, problems::concat("Speed-up by predictor, ", name, ", weight 1"), "predictor | workers");
+    for (const std::string predictor : {"optimistic", "nearby", "learning"})
+        for (const unsigned workers : {8U, 32U, 128U})
+        {
+            std::cout << "| " << predictor << " | " << workers << " | ";
+            bench.row(suite, "runahead", workers, 1.0, Durations::Constant, predictor);
+        }
     heading(suite, problems::concat("Speed-up by durations of checks, ", name, ", weight 1"),
             "durations | policy | workers");
     const std::array<std::pair<const char*, Durations>, 4> kinds{

@@ -34,7 +34,7 @@ def cost_per_check(folder):
     """Mean microseconds of search and shadow for each check run, 32 workers, weight 1."""
     with open(f"{folder}/virtual.csv", newline="", encoding="utf-8") as file:
         costs = [float(row["search_us_per_check"]) for row in csv.DictReader(file)
-                 if row["policy"] == "runahead" and row["workers"] == "32" and row["weight"] == "1" and row["durations"] == "0"]
+                 if row["policy"] == "runahead" and row["workers"] == "32" and row["weight"] == "1" and row["durations"] == "0" and row["predictor"] == "learning"]
     return sum(costs) / len(costs)
 
 

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "specplan/speculation/DirectionPolicy.h"
+#include "specplan/speculation/LearningPredictor.h"
+#include "specplan/speculation/NearbyPredictor.h"
 #include "specplan/speculation/RunAheadPolicy.h"
 
 namespace specplan::planner
@@ -30,7 +32,7 @@ LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjec
       embedding_(si, settings, origin),
       lattice_(makeNeighbourhood(isDiscreteMotionValidator(*sources.motionValidators.front()))),
       broker_(executor),
-      predictor_(lattice_),
+      predictor_(makePredictor()),
       gridHeuristic_(lattice_, embedding_.spacing(), embedding_.connectivity()),
       objectiveHeuristic_(si, *objective_, lattice_, embedding_, goalStates_)
 {
@@ -45,12 +47,22 @@ LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjec
     beginSearch();
 }
 
+std::unique_ptr<speculation::Predictor> LatticeQuery::makePredictor()
+{
+    if (settings_.predictor == "optimistic")
+        return std::make_unique<speculation::OptimisticPredictor>();
+    if (settings_.predictor == "nearby")
+        return std::make_unique<speculation::NearbyPredictor>(lattice_);
+    return std::make_unique<speculation::LearningPredictor>(lattice_);
+}
+
 std::unique_ptr<speculation::Policy> LatticeQuery::makePolicy()
 {
     if (speculates_ && settings_.speculationPolicy == "direction")
         return std::make_unique<speculation::DirectionPolicy>(lattice_, broker_, settings_.lookahead);
     if (speculates_ && settings_.speculationPolicy == "runahead")
-        return std::make_unique<speculation::RunAheadPolicy>(lattice_, broker_, *search_, predictor_, settings_.weight);
+        return std::make_unique<speculation::RunAheadPolicy>(lattice_, broker_, *search_, *predictor_,
+                                                             settings_.weight);
     return nullptr;
 }
 

@@ -120,6 +120,12 @@ void requireRange(const std::string& name, double value, double low, double high
     }
 }
 
+void requireOneOf(const std::string& name, const std::string& value, const std::vector<std::string>& names)
+{
+    if (std::ranges::find(names, value) == names.end())
+        refuse(name, "one of " + joined(names), value);
+}
+
 /// Declares a parameter from a member of the settings and how to read and write it.
 class Declarer
 {
@@ -190,8 +196,8 @@ private:
 void validate(const PlannerSettings& settings)
 {
     requireRange("num_threads", settings.numThreads, 0, kMaxThreads, true);
-    if (std::ranges::find(speculationPolicies(), settings.speculationPolicy) == speculationPolicies().end())
-        refuse("speculation_policy", "one of " + joined(speculationPolicies()), settings.speculationPolicy);
+    requireOneOf("speculation_policy", settings.speculationPolicy, speculationPolicies());
+    requireOneOf("predictor", settings.predictor, predictors());
     requireRange("lookahead", settings.lookahead, 1, kMaxLookahead, false);
     requireRange("weight", settings.weight, 1, kMaxWeight, false);
     requireRange("resolution", settings.resolution, kMinResolution, 1, true);
@@ -210,6 +216,7 @@ void declareParameters(ompl::base::ParamSet& params, std::function<PlannerSettin
     Declarer declarer(params, std::move(get), std::move(set));
     declarer.number("num_threads", &PlannerSettings::numThreads, "0:1:4096");
     declarer.choice("speculation_policy", &PlannerSettings::speculationPolicy, joined(speculationPolicies()));
+    declarer.choice("predictor", &PlannerSettings::predictor, joined(predictors()));
     declarer.number("lookahead", &PlannerSettings::lookahead, "1:1:1000");
     declarer.flag("barrier", &PlannerSettings::barrier);
     declarer.number("weight", &PlannerSettings::weight, "1.:.1:1000000000.");

@@ -34,8 +34,8 @@ constexpr std::size_t kMaxSampledGoals = 16;
 
 auto asTuple(const PlannerSettings& s)
 {
-    return std::tie(s.numThreads, s.speculationPolicy, s.lookahead, s.barrier, s.weight, s.resolution, s.spacing,
-                    s.connectivity, s.cornerCutting, s.executor, s.virtualCheckCost);
+    return std::tie(s.numThreads, s.speculationPolicy, s.predictor, s.lookahead, s.barrier, s.weight, s.resolution,
+                    s.spacing, s.connectivity, s.cornerCutting, s.executor, s.virtualCheckCost);
 }
 }  // namespace
 

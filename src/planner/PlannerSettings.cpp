@@ -8,4 +8,10 @@ const std::vector<std::string>& speculationPolicies()
     static const std::vector<std::string> policies{"none", "direction", "runahead"};
     return policies;
 }
+
+const std::vector<std::string>& predictors()
+{
+    static const std::vector<std::string> names{"optimistic", "nearby", "learning"};
+    return names;
+}
 }  // namespace specplan

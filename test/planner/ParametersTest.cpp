@@ -66,17 +66,12 @@ TEST(Parameters, RoundTripThroughStrings)
 {
     Scene scene;
     SpeculativeAStar one(scene.setup.getSpaceInformation());
-    const std::map<std::string, std::string> values{{"num_threads", "12"},
-                                                    {"speculation_policy", "none"},
-                                                    {"lookahead", "7"},
-                                                    {"barrier", "1"},
-                                                    {"weight", "2.5"},
-                                                    {"resolution", "0.013"},
-                                                    {"spacing", "0.1,0.25"},
-                                                    {"connectivity", "1"},
-                                                    {"corner_cutting", "0"},
-                                                    {"executor", "virtual"},
-                                                    {"virtual_check_cost", "0.005"},
+    const std::map<std::string, std::string> values{{"num_threads", "12"},      {"speculation_policy", "none"},
+                                                    {"predictor", "nearby"},    {"lookahead", "7"},
+                                                    {"barrier", "1"},           {"weight", "2.5"},
+                                                    {"resolution", "0.013"},    {"spacing", "0.1,0.25"},
+                                                    {"connectivity", "1"},      {"corner_cutting", "0"},
+                                                    {"executor", "virtual"},    {"virtual_check_cost", "0.005"},
                                                     {"rethrow_exceptions", "1"}};
     ASSERT_TRUE(one.params().setParams(values));
     std::map<std::string, std::string> read;
@@ -94,7 +89,7 @@ TEST(Parameters, AreAllDocumentedWithTheirDefaultsAndRanges)
     SpeculativeAStar planner(scene.setup.getSpaceInformation());
     std::vector<std::string> names;
     planner.params().getParamNames(names);
-    EXPECT_EQ(names.size(), 12U);
+    EXPECT_EQ(names.size(), 13U);
     for (const std::string& name : names)
     {
         const auto& param = planner.params()[name];

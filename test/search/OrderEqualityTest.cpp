@@ -9,7 +9,7 @@
 #include "RandomProblem.h"
 #include "specplan/search/AStar.h"
 #include "specplan/speculation/DirectionPolicy.h"
-#include "specplan/speculation/NeighbourPredictor.h"
+#include "specplan/speculation/LearningPredictor.h"
 #include "specplan/speculation/RunAheadPolicy.h"
 #include "specplan/validity/InlineExecutor.h"
 #include "specplan/validity/ThreadPoolExecutor.h"
@@ -101,9 +101,9 @@ void expectSameSearch(const RandomProblem& problem, const CellSolution& referenc
     broker.setBarrier(configuration.barrier);
     search::AStar search(lattice, heuristic, broker, problem.weight());
     speculation::OptimisticPredictor optimist;
-    speculation::NeighbourPredictor neighbours(lattice);
+    speculation::LearningPredictor learning(lattice);
     speculation::Predictor& predictor =
-        configuration.policy == "runahead" ? static_cast<speculation::Predictor&>(neighbours) : optimist;
+        configuration.policy == "runahead" ? static_cast<speculation::Predictor&>(learning) : optimist;
     const auto policy = makePolicy(configuration.policy, lattice, broker, search, predictor);
     broker.setSource(policy.get());
     search.setPolicy(policy.get());

@@ -13,7 +13,7 @@
 #include "specplan/planner/PlannerSettings.h"
 #include "specplan/planner/RealVectorEmbedding.h"
 #include "specplan/search/AStar.h"
-#include "specplan/speculation/NeighbourPredictor.h"
+#include "specplan/speculation/Predictor.h"
 #include "specplan/validity/Broker.h"
 
 namespace specplan::planner
@@ -88,6 +88,7 @@ public:
 private:
     [[nodiscard]] std::unique_ptr<lattice::GridNeighbourhood> makeNeighbourhood(bool discreteMotions) const;
     [[nodiscard]] std::optional<lattice::NodeId> nodeExactlyAt(const ompl::base::State* state);
+    [[nodiscard]] std::unique_ptr<speculation::Predictor> makePredictor();
     [[nodiscard]] std::unique_ptr<speculation::Policy> makePolicy();
     lattice::NodeId addTerminal(const ompl::base::State* state);
     void join(lattice::NodeId from, lattice::NodeId to);
@@ -104,7 +105,7 @@ private:
     lattice::Lattice lattice_;
     std::optional<ObjectiveCost> motionCost_;  ///< empty for path length
     validity::Broker broker_;
-    speculation::NeighbourPredictor predictor_;
+    std::unique_ptr<speculation::Predictor> predictor_;
     bool speculates_ = false;
     lattice::GridHeuristic gridHeuristic_;
     ObjectiveHeuristic objectiveHeuristic_;

@@ -10,6 +10,9 @@ namespace specplan
 /// The names of all speculation policies.
 const std::vector<std::string>& speculationPolicies();
 
+/// The names of all predictors.
+const std::vector<std::string>& predictors();
+
 /// Every knob of SpeculativeAStar with its default. The names in parentheses are the OMPL parameters.
 struct PlannerSettings
 {
@@ -19,6 +22,9 @@ struct PlannerSettings
 
     /// What to check ahead (`speculation_policy`): "none", "direction" or "runahead".
     std::string speculationPolicy = "runahead";
+
+    /// How the runahead policy guesses verdicts (`predictor`): "optimistic", "nearby" or "learning".
+    std::string predictor = "learning";
 
     /// Steps that the direction policy looks ahead (`lookahead`), 1 to 1000.
     unsigned lookahead = 4;

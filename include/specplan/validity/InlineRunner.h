@@ -15,7 +15,7 @@ class InlineRunner
 public:
     [[nodiscard]] Completion run(Checker& checker, CheckId check, unsigned worker) noexcept
     {
-        const bool sampled = count_++ % kSampleEvery == 0;
+        const bool sampled = lastSeconds_ > kLongSeconds || count_++ % kSampleEvery == 0;
         if (lastSeconds_ < kCheapSeconds && !sampled)
         {
             Completion completion = runCheckUnmeasured(checker, check, worker);
@@ -32,6 +32,7 @@ public:
 
 private:
     static constexpr double kCheapSeconds = 1e-6;
+    static constexpr double kLongSeconds = 50e-6;
     static constexpr unsigned kSampleEvery = 16;
 
     double lastSeconds_ = 1.0;  ///< duration of the last check that was measured

@@ -2,24 +2,22 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <vector>
 
-#include "specplan/lattice/Lattice.h"
+#include "specplan/speculation/NearbyVerdicts.h"
 #include "specplan/speculation/Predictor.h"
 
 namespace specplan::speculation
 {
 /// Judges a state by what is known of its neighbours, and learns while the search runs what that is worth.
 ///
-/// Obstacles are larger than a step, so verdicts cluster. How much differs from problem to problem. So states are
-/// sorted by how many of their neighbours are known to be valid and how many to be invalid, and for each such pair of
-/// numbers the predictor counts how the states turned out.
-class NeighbourPredictor : public Predictor
+/// Obstacles are larger than a step, so verdicts cluster; how much differs from problem to problem. States are sorted
+/// by how many of their neighbours are known to be valid and how many to be invalid, and for each such pair of numbers
+/// the predictor counts how the states turned out. Motions are judged by the share of those that were valid.
+class LearningPredictor : public Predictor
 {
 public:
     /// \param lattice must outlive the predictor.
-    explicit NeighbourPredictor(lattice::Lattice& lattice);
+    explicit LearningPredictor(lattice::Lattice& lattice);
 
     [[nodiscard]] double probabilityValid(lattice::NodeId node) const override;
     [[nodiscard]] double probabilityMotionValid() const override;
@@ -27,13 +25,6 @@ public:
     void learnedMotion(bool valid) override;
 
 private:
-    /// Known verdicts around a state.
-    struct Around
-    {
-        std::uint16_t valid = 0;
-        std::uint16_t invalid = 0;
-    };
-
     /// How states of one kind turned out; starts with a weak belief.
     struct Record
     {
@@ -43,13 +34,11 @@ private:
 
     static constexpr std::size_t kLevels = 9;
 
-    [[nodiscard]] static std::size_t kindOf(const Around& around);
+    [[nodiscard]] static std::size_t kindOf(const NearbyVerdicts::Counts& counts);
     [[nodiscard]] static std::size_t level(unsigned count);
 
-    lattice::Lattice& lattice_;
-    std::vector<Around> around_;  ///< by node
+    NearbyVerdicts nearby_;
     std::array<Record, kLevels * kLevels> records_;
     Record motions_{9.0, 10.0};
-    lattice::Successors neighbours_;
 };
 }  // namespace specplan::speculation

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "specplan/lattice/Lattice.h"
+
+namespace specplan::speculation
+{
+/// Counts, for every node, the known verdicts among its neighbours.
+class NearbyVerdicts
+{
+public:
+    struct Counts
+    {
+        std::uint16_t valid = 0;
+        std::uint16_t invalid = 0;
+    };
+
+    /// \param lattice must outlive this. Its motions have to go both ways, as those of a grid do.
+    explicit NearbyVerdicts(lattice::Lattice& lattice) : lattice_(lattice)
+    {
+    }
+
+    [[nodiscard]] Counts around(lattice::NodeId node) const noexcept
+    {
+        return node < counts_.size() ? counts_[node] : Counts{};
+    }
+
+    /// Tells the neighbours of `node` about its verdict.
+    void add(lattice::NodeId node, bool valid);
+
+private:
+    lattice::Lattice& lattice_;
+    std::vector<Counts> counts_;  ///< by node
+    lattice::Successors neighbours_;
+};
+}  // namespace specplan::speculation
