@@ -293,7 +293,7 @@ TEST(Broker, OneOutlierDoesNotFlipTheModeButALastingChangeDoes)
     EXPECT_EQ(handedOut(), before);
     t.duration = std::chrono::milliseconds{1};
     t.demandMore(40);
-    EXPECT_GE(handedOut(), before + 30);
+    EXPECT_GE(handedOut(), before + 20);  // a cheap check is measured now and then only
     EXPECT_FALSE(t.source.asked.empty());
     t.duration = std::chrono::microseconds{0};
     t.demandMore(40);

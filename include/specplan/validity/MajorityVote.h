@@ -28,7 +28,7 @@ public:
     }
 
 private:
-    static constexpr unsigned kWindow = 15;
+    static constexpr unsigned kWindow = 7;
 
     std::uint32_t votes_ = 0;  ///< one bit for each of the last observations, newest lowest
     unsigned count_ = 0;
