@@ -232,7 +232,8 @@ void Broker::record(Completion& completion)
     ++statistics_.checksRun;
     statistics_.runSeconds += completion.seconds;
     entry.seconds = static_cast<float>(completion.seconds);
-    cost_.add(completion.seconds);
+    if (completion.measured)
+        cost_.add(completion.seconds);
     if (completion.error)
     {
         entry.verdict = Verdict::Unknown;

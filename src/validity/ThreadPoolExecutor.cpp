@@ -196,6 +196,8 @@ void ThreadPoolExecutor::waitForResult(Lock& lock, std::chrono::milliseconds pat
 
 void ThreadPoolExecutor::learn(const Completion& completion)
 {
+    if (!completion.measured)
+        return;
     if (completion.busyShare >= 0.0)
     {
         busyChecks_.add(completion.busyShare > kBusyShare);

@@ -20,6 +20,7 @@ public:
         {
             Completion completion = runCheckUnmeasured(checker, check, worker);
             completion.seconds = lastSeconds_;
+            completion.measured = false;
             return completion;
         }
         const double cpu = sampled ? threadCpuSeconds() : 0.0;
