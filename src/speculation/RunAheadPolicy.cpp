@@ -18,6 +18,9 @@ constexpr double kUnreached = std::numeric_limits<double>::infinity();
 /// good.
 constexpr double kCaution = 1.0;
 
+/// Below this probability a node is delayed further.
+constexpr double kImprobable = 0.2;
+
 /// The shadow stops at a goal that the search is this likely to reach. Otherwise it goes on: workers would have nothing
 /// to do.
 constexpr double kSure = 0.9;
@@ -115,6 +118,7 @@ void RunAheadPolicy::follow(NodeId id)
         open_.erase(id);
     node.g = g;
     node.probability = 1.0;
+    node.delay = 0.0;
     node.closedAs = ++expansions_;
     node.parent = frontier_.parent(id);
     node.ofState = 1.0F;
@@ -170,8 +174,16 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
     end.ofState = verdict == Verdict::Valid ? 1.0F : static_cast<float>(predictor_.probabilityValid(edge.node));
     end.ofMotion = static_cast<float>(ofMotion);
     end.probability = nodes_[from].probability * static_cast<double>(end.ofState * end.ofMotion);
+    end.delay =
+        nodes_[from].delay + delayFor(static_cast<double>(end.ofState)) + delayFor(static_cast<double>(end.ofMotion));
     end.status = Status::Open;
     push(edge.node);
+}
+
+/// An unlikely node comes later; one that is hardly possible much later, however greedy the search is.
+double RunAheadPolicy::delayFor(double probability) const
+{
+    return std::max(std::log(kImprobable / probability), 0.0) - caution_ * std::log(probability);
 }
 
 /// Emits what is unknown of a motion once it is worth it. \return the probability that the motion is valid.
@@ -198,7 +210,7 @@ double RunAheadPolicy::checkMotion(NodeId from, const lattice::Successors::Edge&
 void RunAheadPolicy::push(NodeId id)
 {
     const Node& node = nodes_[id];
-    open_.push(id, {node.g + node.h - caution_ * scale_ * std::log(node.probability), node.g, pushes_++});
+    open_.push(id, {node.g + node.h + scale_ * node.delay, node.g, pushes_++});
 }
 
 void RunAheadPolicy::emit(CheckId check, NodeId from)
@@ -233,17 +245,17 @@ void RunAheadPolicy::learned(CheckId check, bool valid)
 
 void RunAheadPolicy::confirmState(NodeId id)
 {
-    const double factor = 1.0 / static_cast<double>(nodes_[id].ofState);
+    const double known = static_cast<double>(nodes_[id].ofState);
     nodes_[id].ofState = 1.0F;
-    raise(id, factor);
+    raise(id, known);
     emitMotionTo(id);
 }
 
 void RunAheadPolicy::confirmMotion(NodeId id)
 {
-    const double factor = 1.0 / static_cast<double>(nodes_[id].ofMotion);
+    const double known = static_cast<double>(nodes_[id].ofMotion);
     nodes_[id].ofMotion = 1.0F;
-    raise(id, factor);
+    raise(id, known);
 }
 
 /// The end is valid: now the inside of the motion to it is worth a check.
@@ -263,15 +275,17 @@ void RunAheadPolicy::emitMotionTo(NodeId id)
 }
 
 /// A probability has become certainty: all that hangs on it is more likely by this factor.
-void RunAheadPolicy::raise(NodeId root, double factor)
+void RunAheadPolicy::raise(NodeId root, double known)
 {
-    if (factor == 1.0)
+    if (known == 1.0)
         return;
+    const double delay = delayFor(known);
     subtree_.assign(1, root);
     for (std::size_t i = 0; i < subtree_.size(); ++i)
     {
         const NodeId id = subtree_[i];
-        nodes_[id].probability = std::min(nodes_[id].probability * factor, 1.0);
+        nodes_[id].probability = std::min(nodes_[id].probability / known, 1.0);
+        nodes_[id].delay = std::max(nodes_[id].delay - delay, 0.0);
         if (nodes_[id].status == Status::Open)
         {
             push(id);

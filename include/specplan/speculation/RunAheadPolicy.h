@@ -61,6 +61,7 @@ private:
         double g = std::numeric_limits<double>::infinity();
         double h = -1.0;             ///< weighted; negative: not asked yet
         double probability = 1.0;    ///< that the search gets here: of its state, its motion and its parent
+        double delay = 0.0;          ///< how much later it has its turn, in average steps of f
         std::uint64_t closedAs = 0;  ///< number of the shadow's expansion that closed it
         lattice::NodeId parent = lattice::kNoNode;
         lattice::NodeId askedFrom = lattice::kNoNode;  ///< expansion that wanted the state's check
@@ -100,7 +101,8 @@ private:
     void confirmState(lattice::NodeId id);
     void confirmMotion(lattice::NodeId id);
     void emitMotionTo(lattice::NodeId id);
-    void raise(lattice::NodeId root, double factor);
+    void raise(lattice::NodeId root, double known);
+    [[nodiscard]] double delayFor(double probability) const;
     void retract(lattice::NodeId root);
     void retractGuarded(lattice::CheckId guard);
 
