@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/validity/RunCheck.h"
 
-#include <time.h>
+#include <ctime>
 
 namespace specplan::validity
 {
