@@ -200,7 +200,10 @@ void Broker::drop(std::span<const CheckId> checks)
     for (const CheckId check : checks)
     {
         Entry& entry = table_[check];
-        statistics_.speculativeDropped += entry.speculative ? 1 : 0;
+        if (entry.speculative)
+            ++statistics_.speculativeDropped;
+        else
+            --statistics_.demandedChecks;  // of a demand that was interrupted; asking again counts it again
         entry = Entry{};
     }
 }

@@ -232,6 +232,38 @@ TEST(Broker, AnInterruptEndsALongWaitAndNothingIsLost)
     EXPECT_EQ(broker.statistics().checksUsed, 3U);
 }
 
+TEST(Broker, AnInterruptedDemandThatIsTakenBackLeavesTheBooksBalanced)
+{
+    FakeChecker checker;
+    std::atomic<bool> hold{true};
+    checker.during = [&hold](CheckId check, unsigned)
+    {
+        do
+            std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        while (hold && check.node() > 0);
+    };
+    ThreadPoolExecutor executor(checker, 10);
+    Broker broker(executor);
+    EXPECT_TRUE(broker.demand(checks({0})));
+    std::vector<CheckId> many;
+    for (std::uint32_t node = 1; node <= 30; ++node)
+        many.push_back(stateCheck(node));
+    broker.setInterrupt(
+        [&hold]
+        {
+            hold = false;
+            return true;
+        });
+    EXPECT_FALSE(broker.demand(many));
+    broker.settle();
+    expectBooksBalance(broker.statistics());
+    broker.setInterrupt({});
+    EXPECT_TRUE(broker.demand(many));
+    EXPECT_EQ(checker.calls, 31) << "each once, whether it had started or not";
+    EXPECT_EQ(broker.statistics().checksUsed, 31U);
+    expectBooksBalance(broker.statistics());
+}
+
 /// A check that lasts as long as the test says.
 struct Timed
 {
