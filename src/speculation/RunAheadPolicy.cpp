@@ -41,6 +41,7 @@ RunAheadPolicy::RunAheadPolicy(lattice::Lattice& lattice, const validity::Broker
 
 void RunAheadPolicy::expanding(NodeId node, NodeId)
 {
+    expanding_ = node;
     if (imported_)
         behind_.push_back(node);
 }
@@ -72,6 +73,8 @@ void RunAheadPolicy::propose(std::size_t count, std::vector<CheckId>& out)
 
 bool RunAheadPolicy::stillWanted(CheckId check) const
 {
+    if (!imported_)
+        return true;
     if (check.isMotion())
         return isClosed(lattice_.motion(check.motion()).from);
     return check.node() < nodes_.size() && isClosed(nodes_[check.node()].askedFrom);
@@ -146,13 +149,14 @@ bool RunAheadPolicy::advance()
 void RunAheadPolicy::relaxFrom(NodeId node)
 {
     lattice_.successors(node, successors_);
+    makeRoom();  // from here on no node moves
     for (const lattice::Successors::Edge& edge : successors_.edges)
         relax(node, edge);
 }
 
 void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
 {
-    if (frontier_.isExpanded(edge.node))
+    if (frontier_.isExpanded(edge.node) || edge.node == expanding_)
         return;
     Node& end = touch(edge.node);
     const double g = nodes_[from].g + edge.cost;
@@ -377,10 +381,16 @@ bool RunAheadPolicy::wouldComeFirst(const Node& node, const Node& other)
     return f != otherF ? f < otherF : node.g > other.g;
 }
 
+void RunAheadPolicy::makeRoom()
+{
+    if (nodes_.size() < lattice_.size())
+        nodes_.resize(std::max(lattice_.size(), nodes_.size() * 2));
+}
+
 RunAheadPolicy::Node& RunAheadPolicy::touch(NodeId node)
 {
     if (node >= nodes_.size())
-        nodes_.resize(std::max<std::size_t>(lattice_.size(), nodes_.size() * 2));
+        makeRoom();
     if (nodes_[node].h < 0.0)
     {
         nodes_[node].h = frontier_.weightedEstimate(node);

@@ -100,32 +100,41 @@ void Broker::recordHere(CheckId check, Entry& entry)
 
 bool Broker::waitForMissing()
 {
-    const double start = executor_.now();
+    /// Nothing is awaited any more when the wait is left, whichever way.
+    struct EndOfWait
+    {
+        Broker& broker;
+        double start = broker.executor_.now();
+
+        ~EndOfWait()
+        {
+            for (const CheckId check : broker.missing_)
+                broker.table_[check].awaited = false;
+            broker.awaited_ = 0;
+            broker.statistics_.waitSeconds += broker.executor_.now() - start;
+        }
+    };
+    const EndOfWait end{*this};
     sourceListens_ = true;
     collect(std::chrono::milliseconds{0});
     submitMissing();
     if (awaited_ > 0)
         askSource();
     double lastAsked = steadySeconds();
-    bool interrupted = false;
     while (awaited_ > 0 || (barrier_ && executor_.busy()))
     {
         collect(kPatience);
-        if (source_ != nullptr && source_->keepsAsking())
-            askSource();  // also when the wait is over: workers go on while the search does
+        // Also when the wait is over: workers go on while the search does.
+        if (source_ != nullptr && source_->keepsAsking() && !barrier_)
+            askSource();
         if (interrupt_ && steadySeconds() - lastAsked > std::chrono::duration<double>(kPatience).count())
         {
-            interrupted = interrupt_();
+            if (interrupt_())
+                return false;
             lastAsked = steadySeconds();
-            if (interrupted)
-                break;
         }
     }
-    for (const CheckId check : missing_)
-        table_[check].awaited = false;
-    awaited_ = 0;
-    statistics_.waitSeconds += executor_.now() - start;
-    return !interrupted;
+    return true;
 }
 
 void Broker::submitMissing()
@@ -226,6 +235,25 @@ void Broker::collect(std::chrono::milliseconds patience)
     executor_.collect(completions_, patience);
     for (Completion& completion : completions_)
         record(completion);
+    tellSource();
+}
+
+/// Passes the verdicts just collected on to the source.
+void Broker::tellSource()
+{
+    if (source_ == nullptr || !sourceListens_)
+        return;
+    try
+    {
+        for (const Completion& completion : completions_)
+            if (isKnown(verdict(completion.check)))
+                source_->learned(completion.check, completion.valid);
+    }
+    catch (...)
+    {
+        source_->missed();
+        throw;
+    }
 }
 
 void Broker::record(Completion& completion)
@@ -248,8 +276,6 @@ void Broker::record(Completion& completion)
     {
         entry.verdict = completion.valid ? Verdict::Valid : Verdict::Invalid;
         sawInvalid_ = sawInvalid_ || !completion.valid;
-        if (source_ != nullptr && sourceListens_)
-            source_->learned(check, completion.valid);
     }
     if (!entry.awaited)
         return;
@@ -273,7 +299,8 @@ void Broker::noteUse(Entry& entry)
 void Broker::rethrow(CheckId check)
 {
     const std::exception_ptr error = errors_.at(check);
-    --statistics_.failuresForgotten;
+    if (!std::exchange(table_[check].reported, true))
+        --statistics_.failuresForgotten;
     std::rethrow_exception(error);
 }
 
@@ -290,7 +317,16 @@ void Broker::settle()
     executor_.cancelQueued(dropped_);
     drop(dropped_);
     while (executor_.busy())
-        collect(kPatience);
+    {
+        try
+        {
+            collect(kPatience);
+        }
+        catch (...)
+        {
+            // The source could not follow, which only costs speed: tellSource() has told it to start over.
+        }
+    }
     // A failure is remembered no longer than this: whoever asks again wants the check to be tried again.
     for (const auto& [check, error] : errors_)
         table_[check] = Entry{};

@@ -201,9 +201,20 @@ void ThreadPoolExecutor::learn(const Completion& completion)
     if (completion.busyShare >= 0.0)
     {
         busyChecks_.add(completion.busyShare > kBusyShare);
-        threadLimit_ = usedWorkers() - (searchThreadWorks() ? 1 : 0);
+        setThreadLimit(usedWorkers() - (searchThreadWorks() ? 1 : 0));
     }
     seconds_ = seconds_ == 1.0 ? completion.seconds : seconds_ + (completion.seconds - seconds_) * kAverageUpdate;
+}
+
+void ThreadPoolExecutor::setThreadLimit(unsigned limit)
+{
+    if (limit == threadLimit_.load(std::memory_order_relaxed))
+        return;
+    {
+        const std::lock_guard lock(mutex_);
+        threadLimit_ = limit;
+    }
+    workAvailable_.notify_all();
 }
 
 void ThreadPoolExecutor::cancelQueued(std::vector<CheckId>& dropped)

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "FakeChecker.h"
 #include "specplan/validity/InlineExecutor.h"
@@ -24,6 +26,8 @@ public:
     void propose(std::size_t count, std::vector<CheckId>& out) override
     {
         asked.push_back(count);
+        if (std::exchange(throwsInPropose, false))
+            throw std::runtime_error("propose");
         for (; count > 0 && !list.empty(); --count)
         {
             out.push_back(list.front());
@@ -38,6 +42,8 @@ public:
 
     void learned(CheckId check, bool valid) override
     {
+        if (std::exchange(throwsInLearned, false))
+            throw std::runtime_error("learned");
         heard.emplace_back(check, valid);
     }
 
@@ -45,6 +51,8 @@ public:
     std::vector<std::size_t> asked;
     std::vector<std::pair<CheckId, bool>> heard;
     bool asksAgain = false;
+    bool throwsInPropose = false;
+    bool throwsInLearned = false;
 };
 
 std::vector<CheckId> checks(std::initializer_list<std::uint32_t> nodes)
@@ -343,6 +351,45 @@ TEST(Broker, DearChecksGoToTheWorkersFromTheSecondOn)
     t.demandMore(3);
     EXPECT_EQ(t.broker.statistics().usedInline, 1U);
     EXPECT_FALSE(t.source.asked.empty());
+}
+
+TEST(Broker, ASourceThatThrowsLosesNothing)
+{
+    for (const bool inPropose : {true, false})
+    {
+        Virtual v(8);
+        (inPropose ? v.source.throwsInPropose : v.source.throwsInLearned) = true;
+        EXPECT_THROW((void)v.broker.demand(checks({0, 2, 4})), std::runtime_error);
+        v.broker.settle();
+        EXPECT_TRUE(v.broker.demand(checks({0, 2, 4})));
+        EXPECT_EQ(v.checker.calls, 3);
+        expectBooksBalance(v.broker.statistics());
+
+        v.source.throwsInLearned = true;
+        EXPECT_TRUE(v.broker.prefetch(stateCheck(6)));
+        EXPECT_NO_THROW(v.broker.settle());
+        EXPECT_EQ(v.broker.verdict(stateCheck(6)), Verdict::Valid);
+    }
+}
+
+TEST(Broker, ABarrierEndsAlsoWithASourceThatNeverRunsOut)
+{
+    Virtual v(4);
+    v.source.asksAgain = true;
+    v.broker.setBarrier(true);
+    for (std::uint32_t node = 100; node < 1000; ++node)
+        v.source.list.push_back(stateCheck(node));
+    EXPECT_TRUE(v.broker.demand(checks({0})));
+    EXPECT_EQ(v.checker.calls, 4);
+}
+
+TEST(Broker, AFailureThatIsAskedForTwiceCountsOnce)
+{
+    Virtual v(2);
+    v.checker.during = [](CheckId, unsigned) { throw std::runtime_error("no"); };
+    EXPECT_THROW((void)v.broker.demand(checks({1})), std::runtime_error);
+    EXPECT_THROW((void)v.broker.demand(checks({1})), std::runtime_error);
+    EXPECT_EQ(v.broker.statistics().failuresForgotten, 0U);
 }
 
 TEST(Broker, KnowsWhatItIsTold)

@@ -110,6 +110,8 @@ private:
     [[nodiscard]] bool isClosed(lattice::NodeId node) const;
     [[nodiscard]] bool isChild(lattice::NodeId node, lattice::NodeId parent) const;
     [[nodiscard]] static bool wouldComeFirst(const Node& node, const Node& other);
+    void makeRoom();
+    /// May move the nodes, unless makeRoom() has been called since the lattice last grew.
     Node& touch(lattice::NodeId node);
 
     lattice::Lattice& lattice_;
@@ -119,8 +121,9 @@ private:
     double caution_;
 
     bool imported_ = false;
-    bool guarded_ = false;                 ///< steps need the states of further nodes
-    std::vector<lattice::NodeId> behind_;  ///< expanded by the search, not yet by the shadow
+    bool guarded_ = false;                          ///< steps need the states of further nodes
+    lattice::NodeId expanding_ = lattice::kNoNode;  ///< the search is at this node
+    std::vector<lattice::NodeId> behind_;           ///< expanded by the search, not yet by the shadow
     std::vector<Node> nodes_;
     util::OpenList open_;
     double scale_ = 0.0;  ///< by how much f changes from a node to its successors, on average

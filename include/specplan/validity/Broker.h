@@ -99,6 +99,7 @@ private:
     void dropUnwanted();
     void drop(std::span<const CheckId> checks);
     void collect(std::chrono::milliseconds patience);
+    void tellSource();
     void record(Completion& completion);
     void noteUse(Entry& entry);
     [[noreturn]] void rethrow(CheckId check);

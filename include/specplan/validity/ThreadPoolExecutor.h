@@ -83,6 +83,7 @@ private:
     [[nodiscard]] bool workInstead(Lock& lock, std::vector<Completion>& out);
     void waitForResult(Lock& lock, std::chrono::milliseconds patience);
     void learn(const Completion& completion);
+    void setThreadLimit(unsigned limit);
     [[nodiscard]] bool hasWork() const;
     [[nodiscard]] CheckId popQueue();
     void work(unsigned worker);

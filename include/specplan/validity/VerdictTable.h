@@ -22,6 +22,7 @@ public:
         bool used = false;         ///< the search has asked for it
         bool awaited = false;      ///< the search is waiting for it right now
         bool failed = false;       ///< the check threw; the verdict stays Unknown
+        bool reported = false;     ///< what it threw has been passed on
         float seconds = 0.0F;      ///< duration of the check
     };
 
