@@ -42,25 +42,29 @@ bool Broker::demandMissing(std::span<const CheckId> checks)
     return true;
 }
 
-/// Whether the next check is better run right here. The first one is, to see what checks cost.
-bool Broker::shouldRunHere() const
+/// Whether a check is better run right here. The first one of its kind is, to see what it costs.
+bool Broker::shouldRunHere(CheckId check) const
 {
-    return executor_.runsInline() || ((cost_.isCheap() || cost_.knowsNothing()) && executor_.canRunHere());
+    const CostMeter& cost = cost_[check.isMotion() ? 1 : 0];
+    return executor_.runsInline() || ((cost.isCheap() || cost.knowsNothing()) && executor_.canRunHere());
 }
 
-/// Runs missing checks in this thread for as long as that is the better way, and takes them off the list.
+/// Runs those missing checks in this thread for which that is the better way, and takes them off the list.
 bool Broker::runHere()
 {
     double unasked = 0.0;  // seconds of checks since the interrupt was asked
-    std::size_t done = 0;
-    for (; done < missing_.size() && shouldRunHere(); ++done)
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < missing_.size(); ++i)
     {
-        const CheckId check = missing_[done];
+        const CheckId check = missing_[i];
         Entry& entry = table_[check];
         if (isKnown(entry.verdict))
             continue;  // given twice in one call
-        if (entry.verdict == Verdict::InFlight)
-            break;
+        if (entry.verdict == Verdict::InFlight || (!entry.failed && !shouldRunHere(check)))
+        {
+            missing_[left++] = check;
+            continue;
+        }
         if (unasked > std::chrono::duration<double>(kPatience).count() && interrupt_)
         {
             if (interrupt_())
@@ -69,28 +73,30 @@ bool Broker::runHere()
         }
         if (!entry.failed)
             recordHere(check, entry);
-        if (entry.failed)
+        if (entry.failed && left == 0)
         {
             missing_.clear();  // what comes after is not needed: the caller rethrows
             return true;
         }
         unasked += static_cast<double>(entry.seconds);
     }
-    missing_.erase(missing_.begin(), missing_.begin() + static_cast<std::ptrdiff_t>(done));
+    missing_.resize(left);
     return true;
 }
 
 void Broker::recordHere(CheckId check, Entry& entry)
 {
-    if (sourceListens_ && !cost_.knowsNothing() && source_ != nullptr)
+    if (sourceListens_ && cost_[0].isCheap() && source_ != nullptr)
     {
-        // Telling it everything would cost more than a cheap check.
+        // States are cheap: telling the source everything would cost more than to check.
         source_->missed();
         sourceListens_ = false;
     }
     Completion completion = executor_.runHere(check);
     ++statistics_.demandedChecks;
     record(completion);
+    if (sourceListens_ && source_ != nullptr && !entry.failed)
+        source_->learned(check, completion.valid);
     if (entry.failed)
         return;
     ++statistics_.usedInline;
@@ -222,6 +228,8 @@ bool Broker::prefetch(CheckId check)
     Entry& entry = table_[check];
     if (entry.verdict != Verdict::Unknown || entry.failed || executor_.runsInline())
         return false;
+    if (costOf(check).isCheap() && executor_.canRunHere())
+        return false;  // the search will run it faster itself
     executor_.submit(check, Urgency::Speculative);
     entry.verdict = Verdict::InFlight;
     entry.speculative = true;
@@ -264,7 +272,7 @@ void Broker::record(Completion& completion)
     statistics_.runSeconds += completion.seconds;
     entry.seconds = static_cast<float>(completion.seconds);
     if (completion.measured)
-        cost_.add(completion.seconds);
+        costOf(check).add(completion.seconds);
     if (completion.error)
     {
         entry.verdict = Verdict::Unknown;

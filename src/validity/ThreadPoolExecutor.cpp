@@ -25,6 +25,9 @@ constexpr double kSupplySeconds = 40e-6;
 /// may come close.
 constexpr double kBusyShare = 0.2;
 
+/// Shorter checks say nothing of those that take the time.
+constexpr double kTellingSeconds = 5e-6;
+
 /// Share of the newest check in the average duration.
 constexpr double kAverageUpdate = 0.05;
 
@@ -198,7 +201,7 @@ void ThreadPoolExecutor::learn(const Completion& completion)
 {
     if (!completion.measured)
         return;
-    if (completion.busyShare >= 0.0)
+    if (completion.busyShare >= 0.0 && completion.seconds > kTellingSeconds)
     {
         busyChecks_.add(completion.busyShare > kBusyShare);
         setThreadLimit(usedWorkers() - (searchThreadWorks() ? 1 : 0));
@@ -265,7 +268,7 @@ bool ThreadPoolExecutor::hasWork() const
 
 void ThreadPoolExecutor::work(unsigned worker)
 {
-    InlineRunner runner;
+    InlineRunner runner(true);
     Lock lock(mutex_);
     for (;;)
     {

@@ -336,11 +336,25 @@ TEST(Broker, OneOutlierDoesNotFlipTheModeButALastingChangeDoes)
     EXPECT_GE(handedOut(), before + 20);  // a cheap check is measured now and then only
     EXPECT_FALSE(t.source.asked.empty());
     t.duration = std::chrono::microseconds{0};
-    t.demandMore(40);
+    t.demandMore(60);
     before = handedOut();
     t.demandMore(20);
     EXPECT_EQ(handedOut(), before) << "and back again";
     expectBooksBalance(t.broker.statistics());
+}
+
+TEST(Broker, AFewLongChecksAmongManyShortOnesAreHandedOut)
+{
+    Timed t(16);
+    for (int round = 0; round < 80; ++round)
+    {
+        t.duration = std::chrono::microseconds{0};
+        t.demandMore(4);
+        t.duration = std::chrono::milliseconds{1};
+        t.demandMore(1);
+    }
+    EXPECT_GE(t.broker.statistics().demandedChecks - t.broker.statistics().usedInline, 200U)
+        << "once some of the long ones were measured";
 }
 
 TEST(Broker, DearChecksGoToTheWorkersFromTheSecondOn)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <exception>
 #include <functional>
 #include <map>
@@ -89,7 +90,11 @@ private:
 
     [[nodiscard]] bool demandMissing(std::span<const CheckId> checks);
     [[nodiscard]] bool runHere();
-    [[nodiscard]] bool shouldRunHere() const;
+    [[nodiscard]] bool shouldRunHere(CheckId check) const;
+    [[nodiscard]] CostMeter& costOf(CheckId check) noexcept
+    {
+        return cost_[check.isMotion() ? 1 : 0];
+    }
     void recordHere(CheckId check, Entry& entry);
     [[nodiscard]] bool waitForMissing();
     void submitMissing();
@@ -111,7 +116,7 @@ private:
     bool sawInvalid_ = false;    ///< since queued checks were last looked through
     std::function<bool()> interrupt_;
     VerdictTable table_;
-    CostMeter cost_;
+    std::array<CostMeter, 2> cost_;                 ///< of states and of motions, which cost different amounts
     std::map<CheckId, std::exception_ptr> errors_;  ///< of the entries marked failed
     std::vector<CheckId> missing_;                  ///< asked for and not known, in order
     std::size_t awaited_ = 0;                       ///< entries marked awaited

@@ -1,29 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "specplan/validity/MajorityVote.h"
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
 
 namespace specplan::validity
 {
-/// Tells whether checks are too cheap to be handed to another thread.
+/// Tells whether checks are too cheap to be handed to another thread, by the mean of the last ones measured. The
+/// longest of them is left out: one outlier changes nothing, but a few long checks among many short ones count for what
+/// they cost.
 class CostMeter
 {
 public:
     void add(double seconds) noexcept
     {
+        last_[next_] = seconds;
+        next_ = (next_ + 1) % kWindow;
+        count_ += count_ < kWindow ? 1 : 0;
+        const auto end = last_.begin() + static_cast<std::ptrdiff_t>(count_);
+        const double sum = std::accumulate(last_.begin(), end, 0.0);
+        const double rest = count_ > 1 ? sum - *std::max_element(last_.begin(), end) : sum;
+        const double mean = rest / static_cast<double>(std::max<std::size_t>(count_ - 1, 1));
         // Not the same limit both ways, so that costs near it do not make it waver.
-        cheap_.add(seconds < (isCheap() ? kDear : kCheap));
+        cheap_ = mean < (cheap_ ? kDear : kCheap);
     }
 
     /// False as long as nothing is known.
     [[nodiscard]] bool isCheap() const noexcept
     {
-        return cheap_.yes();
+        return cheap_;
     }
 
     [[nodiscard]] bool knowsNothing() const noexcept
     {
-        return cheap_.isEmpty();
+        return count_ == 0;
     }
 
 private:
@@ -31,7 +43,11 @@ private:
     /// cores.
     static constexpr double kCheap = 6e-6;
     static constexpr double kDear = 9e-6;
+    static constexpr std::size_t kWindow = 24;
 
-    MajorityVote cheap_;
+    std::array<double, kWindow> last_{};
+    std::size_t next_ = 0;
+    std::size_t count_ = 0;
+    bool cheap_ = false;
 };
 }  // namespace specplan::validity

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "specplan/validity/Executor.h"
 #include "specplan/validity/RunCheck.h"
 
@@ -13,13 +15,19 @@ namespace specplan::validity
 class InlineRunner
 {
 public:
+    /// \param measuresAll whether to measure cheap checks too.
+    explicit InlineRunner(bool measuresAll = false) : cheapSeconds_(measuresAll ? 0.0 : kCheapSeconds)
+    {
+    }
+
     [[nodiscard]] Completion run(Checker& checker, CheckId check, unsigned worker) noexcept
     {
-        const bool sampled = lastSeconds_ > kLongSeconds || count_++ % kSampleEvery == 0;
-        if (lastSeconds_ < kCheapSeconds && !sampled)
+        double& lastSeconds = lastSeconds_[check.isMotion() ? 1 : 0];
+        const bool sampled = lastSeconds > kLongSeconds || count_++ % kSampleEvery == 0;
+        if (lastSeconds < cheapSeconds_ && !sampled)
         {
             Completion completion = runCheckUnmeasured(checker, check, worker);
-            completion.seconds = lastSeconds_;
+            completion.seconds = lastSeconds;
             completion.measured = false;
             return completion;
         }
@@ -27,7 +35,7 @@ public:
         Completion completion = runCheck(checker, check, worker);
         if (sampled && completion.seconds > kCheapSeconds)
             completion.busyShare = (threadCpuSeconds() - cpu) / completion.seconds;
-        lastSeconds_ = completion.seconds;
+        lastSeconds = completion.seconds;
         return completion;
     }
 
@@ -36,7 +44,8 @@ private:
     static constexpr double kLongSeconds = 50e-6;
     static constexpr unsigned kSampleEvery = 16;
 
-    double lastSeconds_ = 1.0;  ///< duration of the last check that was measured
+    double cheapSeconds_;                          ///< shorter checks are not all measured
+    std::array<double, 2> lastSeconds_{1.0, 1.0};  ///< duration of the last state and motion that was measured
     unsigned count_ = 0;
 };
 }  // namespace specplan::validity
