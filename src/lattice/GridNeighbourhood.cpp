@@ -8,11 +8,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "specplan/lattice/Offsets.h"
+
 namespace specplan::lattice
 {
 namespace
 {
-constexpr std::size_t kMaxDirections = 65536;
 constexpr std::size_t kMaxGuardedAxes = 12;
 
 void requireBox(const GridBox& box)
@@ -35,32 +36,18 @@ GridNeighbourhood::GridNeighbourhood(GridBox box, const GridSteps& steps) : box_
 
 void GridNeighbourhood::addDirections(const GridSteps& steps)
 {
-    std::vector<Coordinate> offset(dimension(), -1);
-    for (bool more = true; more;)
+    for (const Offset& offset : gridOffsets(dimension(), steps.connectivity))
     {
-        const auto changed = static_cast<std::size_t>(std::ranges::count_if(offset, [](auto v) { return v != 0; }));
-        if (changed >= 1 && changed <= steps.connectivity)
-        {
-            const double cost = steps.cost(offset);
-            if (!(cost > 0.0) || !std::isfinite(cost))
-                throw std::invalid_argument("every step of a grid needs a finite cost greater than 0");
-            Steps::Step pattern{cost, static_cast<std::uint32_t>(patterns_.size()), 0, 0,
-                                steps.motionCheck && steps.motionCheck(offset)};
-            if (!steps.cornerCutting)
-                addGuardOffsets(offset, pattern);
-            hasMotionChecks_ = hasMotionChecks_ || pattern.motionCheck;
-            patterns_.push_back(pattern);
-            offsets_.insert(offsets_.end(), offset.begin(), offset.end());
-            if (patterns_.size() > kMaxDirections)
-                throw std::invalid_argument("a node has more than 65536 neighbours; choose a smaller connectivity");
-        }
-        // Count through {-1, 0, 1}^n, last axis fastest.
-        more = false;
-        for (std::size_t axis = dimension(); axis-- > 0 && !more;)
-        {
-            more = offset[axis] < 1;
-            offset[axis] = more ? offset[axis] + 1 : -1;
-        }
+        const double cost = steps.cost(offset.values);
+        if (!(cost > 0.0) || !std::isfinite(cost))
+            throw std::invalid_argument("every step of a grid needs a finite cost greater than 0");
+        Steps::Step pattern{cost, static_cast<std::uint32_t>(patterns_.size()), 0, 0,
+                            steps.motionCheck && steps.motionCheck(offset.values)};
+        if (!steps.cornerCutting)
+            addGuardOffsets(offset.values, pattern);
+        hasMotionChecks_ = hasMotionChecks_ || pattern.motionCheck;
+        patterns_.push_back(pattern);
+        offsets_.insert(offsets_.end(), offset.values.begin(), offset.values.end());
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/lattice/Lattice.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace specplan::lattice
@@ -29,9 +30,27 @@ std::size_t Lattice::terminalIndex(NodeId node) const noexcept
                                     std::numeric_limits<Coordinate>::min());
 }
 
+void Lattice::setNeighbourhood(std::unique_ptr<const Neighbourhood> neighbourhood)
+{
+    neighbourhood_ = std::move(neighbourhood);
+    firstMotion_.clear();  // the same numbers mean other steps
+}
+
 void Lattice::connect(NodeId from, NodeId to, double cost)
 {
-    handMade_[from].push_back({to, cost, addMotion(from, to)});
+    std::vector<HandMade>& made = handMade_[from];
+    const auto there = std::ranges::find(made, to, &HandMade::to);
+    if (there == made.end())
+        made.push_back({to, cost, addMotion(from, to), true});
+    else
+        *there = {to, cost, there->motion, true};
+}
+
+void Lattice::disconnectAll()
+{
+    for (auto& [from, made] : handMade_)
+        for (HandMade& edge : made)
+            edge.connected = false;
 }
 
 MotionId Lattice::addMotion(NodeId from, NodeId to)
@@ -66,7 +85,8 @@ void Lattice::successors(NodeId node, Successors& out)
     {
         const std::size_t n = dimension();
         neighbourhood_->steps(nodes_.coordinates(node).data(), steps_);
-        const MotionId first = neighbourhood_->hasMotionChecks() ? motionsOf(node) : 0;
+        const bool checksAll = motionCosts_ != nullptr;
+        const MotionId first = checksAll || neighbourhood_->hasMotionChecks() ? motionsOf(node) : 0;
         for (std::size_t i = 0; i < steps_.count; ++i)
         {
             const Steps::Step& step = steps_.steps[i];
@@ -74,27 +94,41 @@ void Lattice::successors(NodeId node, Successors& out)
             const NodeId end = nodes_.intern(&steps_.ends[i * n]);
             for (std::size_t guard = 0; guard < step.guards; ++guard)
                 out.inner.push_back(CheckId::ofState(nodes_.intern(&steps_.guards[(step.firstGuard + guard) * n])));
-            if (step.motionCheck)
+            if (step.motionCheck || checksAll)
             {
                 // A motion is written once, before its id leaves: workers may be reading it later on.
                 if (Motion& motion = motions_[first + step.index]; motion.to != end)
                     motion.to = end;
                 out.inner.push_back(CheckId::ofMotion(first + step.index));
             }
-            out.edges.push_back({end, motionCost_ ? motionCost_(node, end) : step.cost, firstInner,
+            out.edges.push_back({end, costOf(node, end, step.cost), firstInner,
                                  static_cast<std::uint32_t>(out.inner.size()) - firstInner});
         }
     }
-    if (handMade_.empty())
-        return;
+    if (!handMade_.empty())
+        addHandMade(node, out);
+}
+
+void Lattice::addHandMade(NodeId node, Successors& out) const
+{
     const auto made = handMade_.find(node);
     if (made == handMade_.end())
         return;
     for (const HandMade& edge : made->second)
     {
-        out.edges.push_back({edge.to, edge.cost, static_cast<std::uint32_t>(out.inner.size()), 1});
+        if (!edge.connected)
+            continue;
+        const double cost = motionCosts_ != nullptr ? motionCosts_->lowerBound(node, edge.to) : edge.cost;
+        out.edges.push_back({edge.to, cost, static_cast<std::uint32_t>(out.inner.size()), 1});
         out.inner.push_back(CheckId::ofMotion(edge.motion));
     }
+}
+
+double Lattice::costOf(NodeId from, NodeId to, double ofStep) const
+{
+    if (motionCosts_ != nullptr)
+        return motionCosts_->lowerBound(from, to);
+    return stepCost_ ? stepCost_(from, to) : ofStep;
 }
 
 std::optional<NodeId> Lattice::goOn(NodeId from, NodeId to)

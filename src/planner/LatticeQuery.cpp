@@ -39,7 +39,7 @@ LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjec
     if (!isPathLength(*objective_))
     {
         motionCost_.emplace(si_, *objective_, lattice_, embedding_);
-        lattice_.setMotionCost(*motionCost_);
+        lattice_.setStepCost(*motionCost_);
     }
     checker.open(lattice_, embedding_, std::move(sources));
     broker_.setBarrier(settings.barrier);

@@ -9,24 +9,48 @@ namespace specplan::search
 {
 using validity::Verdict;
 
-AStar::AStar(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker, double weight)
-    : lattice_(lattice), heuristic_(heuristic), broker_(broker), weight_(weight)
+namespace
+{
+/// A closed node is opened again only for more than rounding: a better sum of the same costs in another order.
+constexpr double kRounding = 1e-12;
+}  // namespace
+
+AStar::AStar(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker, double weight,
+             lattice::CostSum sum)
+    : lattice_(lattice), heuristic_(heuristic), broker_(broker), weight_(sum.adds() ? weight : 1.0), sum_(sum)
 {
 }
 
-void AStar::addStart(NodeId start)
+void AStar::addStart(NodeId start, double cost)
 {
     Node& node = touch(start);
-    if (node.g <= 0.0)
+    if (!(cost < node.g))
         return;
-    node.g = 0.0;
+    node.g = cost;
     node.parent = lattice::kNoNode;
-    open_.push(start, {weight_ * node.h, 0.0, pushes_++});
+    open(start);
 }
 
 void AStar::addGoal(NodeId goal)
 {
-    touch(goal).goal = true;
+    Node& node = touch(goal);
+    node.goal = true;
+    if (node.closed)
+        open(goal);  // the search has been here, not knowing where it was
+}
+
+void AStar::heuristicChanged()
+{
+    for (Node& node : nodes_)
+        node.h = kNotAsked;
+    std::vector<util::OpenList::Entry> entries(open_.entries().begin(), open_.entries().end());
+    for (util::OpenList::Entry& entry : entries)
+    {
+        entry.key.f = sum_(entry.key.g, weight_ * touch(entry.item).h);
+        open_.push(entry.item, entry.key);
+    }
+    if (policy_ != nullptr)
+        policy_->missed();
 }
 
 SearchStatus AStar::run(const std::function<bool()>& stop)
@@ -38,7 +62,7 @@ SearchStatus AStar::run(const std::function<bool()>& stop)
         if (stop())
             return SearchStatus::Stopped;
         const NodeId node = open_.top().item;  // 2: best node of OPEN
-        if (nodes_[node].goal)                 // 3: a goal is expanded: done
+        if (isGoalNow(node))                   // 3: a goal is expanded: done
         {
             noteExpansion(node);
             open_.pop();
@@ -59,6 +83,7 @@ bool AStar::expand(NodeId node)
     dropUseless(nodes_[node]);  // 4: closed, or no better than a way already found
     if (!dropInvalid())         // 5: states and motions that collide
         return false;           // interrupted: the node stays on OPEN as it was
+    learnCosts();
     open_.pop();
     nodes_[node].closed = true;
     noteExpansion(node);
@@ -67,15 +92,23 @@ bool AStar::expand(NodeId node)
     return true;
 }
 
+bool AStar::isGoalNow(NodeId node) const
+{
+    return nodes_[node].goal || (goalTest_ && goalTest_(node));
+}
+
+bool AStar::improves(double g, const Node& end) const noexcept
+{
+    if (!end.closed)
+        return g < end.g;
+    return reopening_ && g < end.g - kRounding * std::abs(end.g);
+}
+
 void AStar::dropUseless(const Node& from)
 {
     const double g = from.g;
     std::erase_if(successors_.edges,
-                  [this, g](const Edge& edge)
-                  {
-                      const Node& end = touch(edge.node);
-                      return end.closed || !(g + edge.cost < end.g);
-                  });
+                  [this, g](const Edge& edge) { return !improves(sum_(g, edge.cost), touch(edge.node)); });
 }
 
 bool AStar::dropInvalid()
@@ -104,15 +137,31 @@ bool AStar::dropInvalid()
     return true;
 }
 
+/// Checks that tell what motions cost have done so by now.
+void AStar::learnCosts()
+{
+    if (lattice_.motionCosts() == nullptr)
+        return;
+    for (Edge& edge : successors_.edges)
+        edge.cost = lattice_.motionCosts()->known(successors_.innerOf(edge).back().motion());
+}
+
 void AStar::relax(NodeId from, const Edge& edge)
 {
     Node& end = nodes_[edge.node];
-    const double g = nodes_[from].g + edge.cost;
-    if (!(g < end.g))
-        return;  // a second motion of this expansion to the same node
+    const double g = sum_(nodes_[from].g, edge.cost);
+    if (!improves(g, end))
+        return;  // a second motion of this expansion to the same node, or one dearer than its lower bound
     end.g = g;
     end.parent = from;
-    open_.push(edge.node, {end.g + weight_ * end.h, end.g, pushes_++});
+    open(edge.node);
+}
+
+void AStar::open(NodeId id)
+{
+    Node& node = nodes_[id];
+    node.closed = false;
+    open_.push(id, {sum_(node.g, weight_ * node.h), node.g, pushes_++});
 }
 
 void AStar::noteExpansion(NodeId node)
@@ -127,7 +176,7 @@ AStar::Node& AStar::touch(NodeId node)
 {
     if (node >= nodes_.size())
         nodes_.resize(std::max<std::size_t>(lattice_.size(), nodes_.size() * 2));
-    if (nodes_[node].h < 0.0)
+    if (!isAsked(nodes_[node].h))
         nodes_[node].h = heuristic_.estimate(node);
     return nodes_[node];
 }

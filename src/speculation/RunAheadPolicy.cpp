@@ -35,6 +35,7 @@ RunAheadPolicy::RunAheadPolicy(lattice::Lattice& lattice, const validity::Broker
       broker_(broker),
       frontier_(frontier),
       predictor_(predictor),
+      sum_(frontier.sum()),
       caution_(kCaution / std::sqrt(weight))
 {
 }
@@ -159,7 +160,7 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
     if (frontier_.isExpanded(edge.node) || edge.node == expanding_)
         return;
     Node& end = touch(edge.node);
-    const double g = nodes_[from].g + edge.cost;
+    const double g = sum_(nodes_[from].g, costOf(edge));
     if (!(g < end.g) || (end.status == Status::Closed && !wouldComeFirst(nodes_[from], end)))
         return;
     const CheckId state = CheckId::ofState(edge.node);
@@ -171,8 +172,7 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
     const double ofMotion = checkMotion(from, edge, verdict == Verdict::Valid);
     if (ofMotion == 0.0)
         return;
-    steps_ = std::min(steps_ + 1.0, kScaleMemory);
-    scale_ += (std::abs(g + end.h - nodes_[from].g - nodes_[from].h) - scale_) / steps_;
+    noteStep(sum_(g, end.h) - estimateThrough(nodes_[from]));
     end.g = g;
     end.parent = from;
     end.ofState = verdict == Verdict::Valid ? 1.0F : static_cast<float>(predictor_.probabilityValid(edge.node));
@@ -182,6 +182,28 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
         nodes_[from].delay + delayFor(static_cast<double>(end.ofState)) + delayFor(static_cast<double>(end.ofMotion));
     end.status = Status::Open;
     push(edge.node);
+}
+
+/// What a motion costs, as far as that is known.
+double RunAheadPolicy::costOf(const lattice::Successors::Edge& edge) const
+{
+    if (lattice_.motionCosts() == nullptr)
+        return edge.cost;
+    const CheckId motion = successors_.innerOf(edge).back();
+    return broker_.verdict(motion) == Verdict::Valid ? lattice_.motionCosts()->known(motion.motion()) : edge.cost;
+}
+
+void RunAheadPolicy::noteStep(double change)
+{
+    if (!std::isfinite(change))
+        return;  // costs that do not add up may begin without bound
+    steps_ = std::min(steps_ + 1.0, kScaleMemory);
+    scale_ += (std::abs(change) - scale_) / steps_;
+}
+
+double RunAheadPolicy::estimateThrough(const Node& node) const
+{
+    return sum_(node.g, node.h);
 }
 
 /// An unlikely node comes later; one that is hardly possible much later, however greedy the search is.
@@ -214,7 +236,7 @@ double RunAheadPolicy::checkMotion(NodeId from, const lattice::Successors::Edge&
 void RunAheadPolicy::push(NodeId id)
 {
     const Node& node = nodes_[id];
-    open_.push(id, {node.g + node.h + scale_ * node.delay, node.g, pushes_++});
+    open_.push(id, {estimateThrough(node) + scale_ * node.delay, node.g, pushes_++});
 }
 
 void RunAheadPolicy::emit(CheckId check, NodeId from)
@@ -374,10 +396,10 @@ bool RunAheadPolicy::isChild(NodeId node, NodeId parent) const
 }
 
 /// Whether the search expands `node` before `other`: then what it learns there comes in time.
-bool RunAheadPolicy::wouldComeFirst(const Node& node, const Node& other)
+bool RunAheadPolicy::wouldComeFirst(const Node& node, const Node& other) const
 {
-    const double f = node.g + node.h;
-    const double otherF = other.g + other.h;
+    const double f = estimateThrough(node);
+    const double otherF = estimateThrough(other);
     return f != otherF ? f < otherF : node.g > other.g;
 }
 
@@ -391,7 +413,7 @@ RunAheadPolicy::Node& RunAheadPolicy::touch(NodeId node)
 {
     if (node >= nodes_.size())
         makeRoom();
-    if (nodes_[node].h < 0.0)
+    if (std::isnan(nodes_[node].h))
     {
         nodes_[node].h = frontier_.weightedEstimate(node);
         if (frontier_.isExpanded(node))

@@ -93,7 +93,7 @@ TEST(Lattice, TerminalsAreJoinedByHand)
 TEST(Lattice, MotionCostsMayDependOnTheNodes)
 {
     Lattice lattice = makeLattice(false);
-    lattice.setMotionCost([](NodeId, NodeId to) { return 10.0 + to; });
+    lattice.setStepCost([](NodeId, NodeId to) { return 10.0 + to; });
     Successors successors;
     lattice.successors(lattice.node(Row{0, 0}.data()), successors);
     for (const Successors::Edge& edge : successors.edges)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "specplan/lattice/CheckId.h"
+#include "specplan/lattice/MotionCosts.h"
 #include "specplan/lattice/Neighbourhood.h"
 #include "specplan/lattice/NodeTable.h"
 
@@ -20,7 +21,7 @@ struct Successors
     struct Edge
     {
         NodeId node;               ///< where the motion ends
-        double cost;               ///< cost of the motion, greater than 0
+        double cost;               ///< cost of the motion; only a lower bound where Lattice::motionCosts() are set
         std::uint32_t firstInner;  ///< checks of the motion: [firstInner, firstInner + inner) of Successors::inner
         std::uint32_t inner;       ///< number of checks that have to hold besides the end state's; often 0
     };
@@ -72,6 +73,10 @@ public:
         return nodes_.find(coordinates);
     }
 
+    /// Steps are those of another neighbourhood from now on; nodes and what is known of them stay. For finer steps on
+    /// the same coordinates.
+    void setNeighbourhood(std::unique_ptr<const Neighbourhood> neighbourhood);
+
     /// A new node off the grid, without motions until `connect` makes some.
     NodeId addTerminal();
 
@@ -84,13 +89,35 @@ public:
     /// Number of a terminal, from 0 in the order of making.
     [[nodiscard]] std::size_t terminalIndex(NodeId node) const noexcept;
 
-    /// Adds a motion by hand, with a check of its own.
+    /// Adds a motion by hand, with a check of its own. A motion that was there before keeps its check.
     void connect(NodeId from, NodeId to, double cost);
 
+    /// Takes all motions that `connect` made out of the graph. They come back, with their checks, when they are
+    /// connected again.
+    void disconnectAll();
+
     /// For costs that depend on more than the step; without it a step costs what the neighbourhood says.
-    void setMotionCost(std::function<double(NodeId from, NodeId to)> cost)
+    void setStepCost(std::function<double(NodeId from, NodeId to)> cost)
     {
-        motionCost_ = std::move(cost);
+        stepCost_ = std::move(cost);
+    }
+
+    /// For costs that only a check tells: every motion has a check of its own then. \param costs must outlive the
+    /// lattice; to be set before the first motion is made.
+    void setMotionCosts(const MotionCosts* costs) noexcept
+    {
+        motionCosts_ = costs;
+    }
+
+    [[nodiscard]] const MotionCosts* motionCosts() const noexcept
+    {
+        return motionCosts_;
+    }
+
+    /// Number of motions made so far.
+    [[nodiscard]] std::size_t motions() const noexcept
+    {
+        return motions_.size();
     }
 
     /// Writes all motions out of a node, always in the same order.
@@ -118,9 +145,12 @@ private:
         NodeId to;
         double cost;
         MotionId motion;
+        bool connected;
     };
 
     MotionId motionsOf(NodeId node);
+    void addHandMade(NodeId node, Successors& out) const;
+    [[nodiscard]] double costOf(NodeId from, NodeId to, double ofStep) const;
     MotionId addMotion(NodeId from, NodeId to);
 
     std::unique_ptr<const Neighbourhood> neighbourhood_;
@@ -128,7 +158,8 @@ private:
     util::SegmentedRows<Motion> motions_;
     std::vector<MotionId> firstMotion_;  ///< node -> first of its maxSteps() motions, once it was asked for
     std::unordered_map<NodeId, std::vector<HandMade>> handMade_;
-    std::function<double(NodeId, NodeId)> motionCost_;
+    std::function<double(NodeId, NodeId)> stepCost_;
+    const MotionCosts* motionCosts_ = nullptr;
     std::size_t terminals_ = 0;
     Steps steps_;  ///< scratch of successors()
     std::vector<Coordinate> next_;

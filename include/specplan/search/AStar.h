@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <vector>
 
+#include "specplan/lattice/CostAlgebra.h"
 #include "specplan/lattice/Heuristic.h"
 #include "specplan/lattice/Lattice.h"
 #include "specplan/speculation/FrontierView.h"
@@ -34,16 +36,19 @@ enum class SearchStatus
 /// Reference: Hart, Nilsson, Raphael 1968 (A*); Pohl 1970 (weights). The numbers in the comments of the body are those
 /// of docs/algorithm.md.
 ///
-/// Holds between calls: the heuristic is constant; closed nodes are never opened again, which with a consistent
-/// heuristic keeps the cost within `weight` times the optimum (Likhachev, Gordon, Thrun 2003). OPEN is totally ordered:
-/// smaller f = g + weight h first, then larger g, then older entry (an improved node counts as a new entry).
+/// Holds between calls: the heuristic is constant, or `heuristicChanged` was called. Closed nodes are never opened again,
+/// which with a consistent heuristic keeps the cost within `weight` times the optimum (Likhachev, Gordon, Thrun 2003);
+/// `setReopening` opens them again, for heuristics that are admissible only. OPEN is totally ordered: smaller
+/// f = g + weight h first, then larger g, then older entry (an improved node counts as a new entry). Costs are put
+/// together by a CostAlgebra where they do not add up; the weight is 1 then.
 ///
 /// Threads: one, the search thread.
 class AStar : public speculation::FrontierView
 {
 public:
-    /// \param weight at least 1. All references must outlive the search.
-    AStar(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker, double weight);
+    /// \param weight at least 1. \param sum how costs are put together. All references must outlive the search.
+    AStar(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker, double weight,
+          lattice::CostSum sum = {});
 
     /// Told about every expansion before it begins; may be nullptr.
     void setPolicy(speculation::Policy* policy) noexcept
@@ -57,11 +62,31 @@ public:
         observer_ = std::move(observer);
     }
 
-    /// Adds a start; its state must be known to be valid.
-    void addStart(NodeId start);
+    /// Opens closed nodes again that are reached better later on: for heuristics that are not known to be consistent.
+    void setReopening(bool reopening) noexcept
+    {
+        reopening_ = reopening;
+    }
 
-    /// Adds a goal. Its state is checked like any other.
+    /// Asked for each node that is taken off OPEN; the node is a goal if it returns true. Empty for none.
+    void setGoalTest(std::function<bool(NodeId node)> isGoal)
+    {
+        goalTest_ = std::move(isGoal);
+    }
+
+    /// Adds a start with a cost of its own; its state must be known to be valid.
+    void addStart(NodeId start, double cost);
+
+    void addStart(NodeId start)
+    {
+        addStart(start, sum_.identity());
+    }
+
+    /// Adds a goal, also during a search: then `heuristicChanged` has to follow. Its state is checked like any other.
     void addGoal(NodeId goal);
+
+    /// Goals have come up, so estimates have fallen: asks for all of them again.
+    void heuristicChanged();
 
     /// Searches until a goal is expanded, OPEN is empty, or `stop` returns true; `stop` is asked once per expansion.
     /// \throws what a check threw that the search needs. The search can go on after that.
@@ -104,7 +129,12 @@ public:
 
     [[nodiscard]] double weightedEstimate(NodeId node) const override
     {
-        return weight_ * (node < nodes_.size() && nodes_[node].h >= 0.0 ? nodes_[node].h : heuristic_.estimate(node));
+        return weight_ * (node < nodes_.size() && isAsked(nodes_[node].h) ? nodes_[node].h : heuristic_.estimate(node));
+    }
+
+    [[nodiscard]] lattice::CostSum sum() const noexcept override
+    {
+        return sum_;
     }
 
     [[nodiscard]] std::uint64_t expansions() const noexcept
@@ -120,11 +150,17 @@ public:
 
 private:
     static constexpr double kUnreached = std::numeric_limits<double>::infinity();
+    static constexpr double kNotAsked = std::numeric_limits<double>::quiet_NaN();
+
+    [[nodiscard]] static bool isAsked(double h) noexcept
+    {
+        return !std::isnan(h);
+    }
 
     struct Node
     {
         double g = kUnreached;
-        double h = -1.0;  ///< negative: not asked yet
+        double h = kNotAsked;
         NodeId parent = lattice::kNoNode;
         bool closed = false;
         bool goal = false;
@@ -133,18 +169,25 @@ private:
     using Edge = lattice::Successors::Edge;
 
     [[nodiscard]] bool expand(NodeId node);
+    [[nodiscard]] bool improves(double g, const Node& end) const noexcept;
     void dropUseless(const Node& from);
     [[nodiscard]] bool dropInvalid();
+    void learnCosts();
     void relax(NodeId from, const Edge& edge);
     void noteExpansion(NodeId node);
+    void open(NodeId node);
+    [[nodiscard]] bool isGoalNow(NodeId node) const;
     Node& touch(NodeId node);
 
     lattice::Lattice& lattice_;
     const lattice::Heuristic& heuristic_;
     validity::Broker& broker_;
     double weight_;
+    lattice::CostSum sum_;
+    bool reopening_ = false;
     speculation::Policy* policy_ = nullptr;
     std::function<void(NodeId)> observer_;
+    std::function<bool(NodeId)> goalTest_;
 
     std::vector<Node> nodes_;
     util::OpenList open_;

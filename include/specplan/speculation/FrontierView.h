@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "specplan/lattice/CostAlgebra.h"
 #include "specplan/lattice/NodeTable.h"
 #include "specplan/util/OpenList.h"
 
@@ -31,5 +32,8 @@ public:
 
     /// Weight times the heuristic.
     [[nodiscard]] virtual double weightedEstimate(lattice::NodeId node) const = 0;
+
+    /// How costs are put together.
+    [[nodiscard]] virtual lattice::CostSum sum() const noexcept = 0;
 };
 }  // namespace specplan::speculation

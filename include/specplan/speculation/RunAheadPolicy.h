@@ -49,6 +49,8 @@ public:
     }
 
 private:
+    static constexpr double kNotAsked = std::numeric_limits<double>::quiet_NaN();
+
     enum class Status : std::uint8_t
     {
         Unseen,
@@ -59,7 +61,7 @@ private:
     struct Node
     {
         double g = std::numeric_limits<double>::infinity();
-        double h = -1.0;             ///< weighted; negative: not asked yet
+        double h = kNotAsked;        ///< weighted
         double probability = 1.0;    ///< that the search gets here: of its state, its motion and its parent
         double delay = 0.0;          ///< how much later it has its turn, in average steps of f
         std::uint64_t closedAs = 0;  ///< number of the shadow's expansion that closed it
@@ -109,7 +111,10 @@ private:
     [[nodiscard]] bool isGuardedBy(lattice::NodeId end, lattice::CheckId guard);
     [[nodiscard]] bool isClosed(lattice::NodeId node) const;
     [[nodiscard]] bool isChild(lattice::NodeId node, lattice::NodeId parent) const;
-    [[nodiscard]] static bool wouldComeFirst(const Node& node, const Node& other);
+    [[nodiscard]] bool wouldComeFirst(const Node& node, const Node& other) const;
+    [[nodiscard]] double costOf(const lattice::Successors::Edge& edge) const;
+    void noteStep(double change);
+    [[nodiscard]] double estimateThrough(const Node& node) const;
     void makeRoom();
     /// May move the nodes, unless makeRoom() has been called since the lattice last grew.
     Node& touch(lattice::NodeId node);
@@ -118,6 +123,7 @@ private:
     const validity::Broker& broker_;
     const FrontierView& frontier_;
     Predictor& predictor_;
+    lattice::CostSum sum_;
     double caution_;
 
     bool imported_ = false;
