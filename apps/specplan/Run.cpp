@@ -24,6 +24,8 @@ PlannerSettings onGrid(const NamedProblem& problem, const CommonOptions& options
 {
     const PlannerSettings grid = problems::gridPlannerSettings(problem.cornerCutting);
     settings.spacing = grid.spacing;
+    settings.anytime = grid.anytime;
+    settings.objectiveInChecks = grid.objectiveInChecks;
     settings.connectivity = grid.connectivity;
     settings.cornerCutting = grid.cornerCutting;
     if (options.check.duration.count() > 0)

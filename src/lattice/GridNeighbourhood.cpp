@@ -26,9 +26,11 @@ void requireBox(const GridBox& box)
 }
 }  // namespace
 
-GridNeighbourhood::GridNeighbourhood(GridBox box, const GridSteps& steps) : box_(std::move(box))
+GridNeighbourhood::GridNeighbourhood(GridBox box, const GridSteps& steps) : box_(std::move(box)), stride_(steps.stride)
 {
     requireBox(box_);
+    if (stride_ < 1)
+        throw std::invalid_argument("the stride of a grid must be at least 1");
     if (steps.connectivity < 1 || steps.connectivity > dimension())
         throw std::invalid_argument("connectivity must be between 1 and the dimension, " + std::to_string(dimension()));
     addDirections(steps);
@@ -36,8 +38,10 @@ GridNeighbourhood::GridNeighbourhood(GridBox box, const GridSteps& steps) : box_
 
 void GridNeighbourhood::addDirections(const GridSteps& steps)
 {
-    for (const Offset& offset : gridOffsets(dimension(), steps.connectivity))
+    for (Offset& offset : gridOffsets(dimension(), steps.connectivity))
     {
+        for (Coordinate& value : offset.values)
+            value *= stride_;
         const double cost = steps.cost(offset.values);
         if (!(cost > 0.0) || !std::isfinite(cost))
             throw std::invalid_argument("every step of a grid needs a finite cost greater than 0");
@@ -81,7 +85,7 @@ void GridNeighbourhood::steps(const Coordinate* from, Steps& out) const
     out.guards.clear();
     bool interior = true;  // all neighbours lie inside the box
     for (std::size_t axis = 0; axis < n; ++axis)
-        interior = interior && from[axis] > box_.lower[axis] && from[axis] < box_.upper[axis];
+        interior = interior && from[axis] - stride_ >= box_.lower[axis] && from[axis] + stride_ <= box_.upper[axis];
 
     Coordinate* end = out.ends.data();
     const Coordinate* offset = offsets_.data();
@@ -117,7 +121,7 @@ bool GridNeighbourhood::goOn(const Coordinate* from, const Coordinate* to, Coord
     for (std::size_t axis = 0; axis < dimension(); ++axis)
     {
         const Coordinate step = to[axis] - from[axis];
-        if (std::abs(step) > 1)
+        if (std::abs(step) > stride_)
             return false;
         next[axis] = to[axis] + step;
     }

@@ -58,6 +58,8 @@ MotionId Lattice::addMotion(NodeId from, NodeId to)
     if (motions_.size() >= kMaxMotions)
         throw std::length_error("the lattice has more than 2^31 touched motions; choose a coarser resolution");
     *motions_.append() = {from, to};
+    if (motionCosts_ != nullptr)
+        motionCosts_->makeRoom(motions_.size());
     return static_cast<MotionId>(motions_.size() - 1);
 }
 
@@ -71,6 +73,8 @@ MotionId Lattice::motionsOf(NodeId node)
             throw std::length_error("the lattice has more than 2^31 touched motions; choose a coarser resolution");
         firstMotion_[node] = static_cast<MotionId>(motions_.size());
         motions_.growTo(motions_.size() + neighbourhood_->maxSteps());
+        if (motionCosts_ != nullptr)
+            motionCosts_->makeRoom(motions_.size());
         for (std::size_t i = 0; i < steps_.count; ++i)
             motions_[firstMotion_[node] + steps_.steps[i].index].from = node;
     }

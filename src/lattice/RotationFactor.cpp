@@ -11,7 +11,8 @@ namespace specplan::lattice
 {
 namespace
 {
-/// Steps beyond this distance (more than 120 degrees) are left out: on the coarsest grid they would lead to the far side.
+/// Steps beyond this distance (more than 120 degrees) are left out: on the coarsest grid they would lead to the far
+/// side.
 constexpr double kFarthest = 1.1;
 }  // namespace
 

@@ -13,14 +13,24 @@
 namespace specplan::planner
 {
 namespace ob = ompl::base;
-using lattice::Coordinate;
 using lattice::NodeId;
 using validity::CheckId;
 
 namespace
 {
-/// A motion this close to one segment is left to the check, which counts the segments from the real states.
-constexpr double kSegmentSlack = 1.0 - 1e-9;
+/// Spaces of more axes than this are searched greedily where no weight was asked for.
+constexpr unsigned kMostAxesForOptimum = 4;
+constexpr double kGreedyWeight = 3.0;
+
+/// Bit by bit: a path has to end in the very state that was asked for.
+bool sameValues(const ob::StateSpace& space, const ob::State* a, const ob::State* b)
+{
+    std::vector<double> ofA;
+    std::vector<double> ofB;
+    space.copyToReals(ofA, a);
+    space.copyToReals(ofB, b);
+    return ofA == ofB && space.equalStates(a, b);
+}
 }  // namespace
 
 LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjectivePtr objective,
@@ -29,22 +39,24 @@ LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjec
     : si_(si),
       objective_(std::move(objective)),
       settings_(settings),
+      discreteMotions_(isDiscreteMotionValidator(*sources.motionValidators.front())),
       embedding_(si, settings, origin),
-      lattice_(makeNeighbourhood(isDiscreteMotionValidator(*sources.motionValidators.front()))),
+      lattice_(embedding_.neighbourhood(discreteMotions_)),
+      costs_(isPathLength(*objective_) ? std::nullopt
+                                       : std::make_optional<ObjectiveCosts>(si, *objective_, lattice_, embedding_)),
+      from_(si),
+      to_(si),
       broker_(executor),
       predictor_(makePredictor()),
-      gridHeuristic_(lattice_, embedding_.spacing(), embedding_.connectivity()),
-      objectiveHeuristic_(si, *objective_, lattice_, embedding_, goalStates_)
+      heuristic_(si, *objective_, lattice_, embedding_, costs_ ? &*costs_ : nullptr)
 {
-    if (!isPathLength(*objective_))
-    {
-        motionCost_.emplace(si_, *objective_, lattice_, embedding_);
-        lattice_.setStepCost(*motionCost_);
-    }
-    checker.open(lattice_, embedding_, std::move(sources));
+    if (costs_ && settings_.objectiveInChecks)
+        lattice_.setMotionCosts(&*costs_);
+    else if (costs_ || !embedding_.sumsDistances())
+        lattice_.setStepCost([this](NodeId from, NodeId to) { return motionCost(from, to); });
+    checker.open(lattice_, embedding_, std::move(sources), costs_ ? &*costs_ : nullptr);
     broker_.setBarrier(settings.barrier);
     speculates_ = !executor.runsInline();
-    beginSearch();
 }
 
 std::unique_ptr<speculation::Predictor> LatticeQuery::makePredictor()
@@ -56,125 +68,187 @@ std::unique_ptr<speculation::Predictor> LatticeQuery::makePredictor()
     return std::make_unique<speculation::LearningPredictor>(lattice_);
 }
 
-std::unique_ptr<speculation::Policy> LatticeQuery::makePolicy()
+std::unique_ptr<speculation::Policy> LatticeQuery::makePolicy(double weight)
 {
     if (speculates_ && settings_.speculationPolicy == "direction")
         return std::make_unique<speculation::DirectionPolicy>(lattice_, broker_, settings_.lookahead);
     if (speculates_ && settings_.speculationPolicy == "runahead")
-        return std::make_unique<speculation::RunAheadPolicy>(lattice_, broker_, *search_, *predictor_,
-                                                             settings_.weight);
+        return std::make_unique<speculation::RunAheadPolicy>(lattice_, broker_, *search_, *predictor_, weight);
     return nullptr;
 }
 
-std::unique_ptr<lattice::GridNeighbourhood> LatticeQuery::makeNeighbourhood(bool discreteMotions) const
+double LatticeQuery::firstWeight() const
 {
-    lattice::GridSteps steps;
-    steps.connectivity = embedding_.connectivity();
-    steps.cornerCutting = settings_.cornerCutting;
-    steps.cost = [this](std::span<const Coordinate> offset) { return embedding_.stepLength(offset); };
-    const double segment =
-        si_.getStateSpace()->getLongestValidSegmentLength() / si_.getStateSpace()->getValidSegmentCountFactor();
-    steps.motionCheck = [this, discreteMotions, segment](std::span<const Coordinate> offset)
-    { return !discreteMotions || embedding_.stepLength(offset) > segment * kSegmentSlack; };
-    return std::make_unique<lattice::GridNeighbourhood>(embedding_.box(), steps);
+    if (settings_.weight > 0.0)
+        return settings_.weight;
+    return embedding_.axes() <= kMostAxesForOptimum ? 1.0 : kGreedyWeight;
 }
 
-std::optional<NodeId> LatticeQuery::nodeExactlyAt(const ob::State* state)
+void LatticeQuery::beginQuery()
 {
-    const std::vector<double> position = embedding_.position(state);
-    std::vector<Coordinate> coordinates;
-    coordinates.reserve(position.size());
-    for (const double axis : position)
-        coordinates.push_back(static_cast<Coordinate>(std::round(axis)));
-    if (!embedding_.contains(coordinates))
+    broker_.setSource(nullptr);
+    policy_.reset();
+    search_.reset();
+    broker_.beginQuery();
+    lattice_.disconnectAll();
+    heuristic_.clear();
+    goal_.reset();
+    startStates_.clear();
+    goalStates_.clear();
+    startNodes_.clear();
+    goalNodes_.clear();
+}
+
+std::optional<NodeId> LatticeQuery::nodeExactlyAt(const ob::State* state,
+                                                  const std::vector<Embedding::Coordinates>& corners)
+{
+    if (corners.empty())
         return std::nullopt;
-    const NodeId node = lattice_.node(coordinates.data());
-    // Bit by bit: a path has to end in the very state that was asked for.
-    std::vector<double> there;
-    std::vector<double> wanted;
-    si_.getStateSpace()->copyToReals(there, stateOf(node).get());
-    si_.getStateSpace()->copyToReals(wanted, state);
-    if (there != wanted)
+    const NodeId node = lattice_.node(corners.front().data());
+    if (!sameValues(*si_.getStateSpace(), stateOf(node).get(), state))
         return std::nullopt;
     return node;
 }
 
-NodeId LatticeQuery::addTerminal(const ob::State* state)
+NodeId LatticeQuery::terminalAt(const ob::State* state)
 {
+    for (std::size_t i = 0; i < terminals_.size(); ++i)
+        if (sameValues(*si_.getStateSpace(), terminalStates_[i].get(), state))
+            return terminals_[i];
     embedding_.addTerminal(state);
-    return lattice_.addTerminal();
+    terminalStates_.emplace_back(si_, state);
+    return terminals_.emplace_back(lattice_.addTerminal());
+}
+
+double LatticeQuery::motionCost(NodeId from, NodeId to) const
+{
+    embedding_.write(lattice_, from, from_.get());
+    embedding_.write(lattice_, to, to_.get());
+    return costs_ ? costs_->ofMotion(from_.get(), to, to_.get()) : si_.distance(from_.get(), to_.get());
 }
 
 void LatticeQuery::join(NodeId from, NodeId to)
 {
-    const StateHandle first = stateOf(from);
-    const StateHandle second = stateOf(to);
-    const double cost = motionCost_ ? (*motionCost_)(from, to) : si_.distance(first.get(), second.get());
-    lattice_.connect(from, to, cost);
+    lattice_.connect(from, to, motionCost(from, to));
+}
+
+void LatticeQuery::joinToLattice(NodeId terminal, Embedding::Joint joint,
+                                 const std::vector<Embedding::Coordinates>& corners)
+{
+    for (const Embedding::Coordinates& corner : corners)
+    {
+        const NodeId node = lattice_.node(corner.data());
+        if (joint == Embedding::Joint::Leaving)
+            join(terminal, node);
+        else
+            join(node, terminal);
+    }
 }
 
 void LatticeQuery::joinNeighbours(NodeId start, NodeId goal)
 {
-    if (!lattice_.isTerminal(start) || !lattice_.isTerminal(goal))
+    if (!lattice_.isTerminal(start) || !lattice_.isTerminal(goal) || start == goal)
         return;
-    const std::vector<double> from = embedding_.position(stateOf(start).get());
-    const std::vector<double> to = embedding_.position(stateOf(goal).get());
-    for (std::size_t axis = 0; axis < from.size(); ++axis)
-        if (std::abs(to[axis] - from[axis]) > 1.0)
-            return;
-    join(start, goal);
+    const auto leaving = embedding_.corners(stateOf(start).get(), Embedding::Joint::Leaving);
+    const auto entering = embedding_.corners(stateOf(goal).get(), Embedding::Joint::Entering);
+    if (std::ranges::find_first_of(leaving, entering) != leaving.end())
+        join(start, goal);
+}
+
+NodeId LatticeQuery::nodeFor(const ob::State* state, Embedding::Joint joint)
+{
+    const std::vector<Embedding::Coordinates> corners = embedding_.corners(state, joint);
+    const bool ends = joint == Embedding::Joint::Entering && costs_ &&
+                      objective_->terminalCost(state).value() != objective_->identityCost().value();
+    std::optional<NodeId> node = ends ? std::nullopt : nodeExactlyAt(state, corners);
+    if (!node)
+    {
+        node = terminalAt(state);
+        if (ends)
+            costs_->setTerminalCost(*node, costs_->number(objective_->terminalCost(state)));
+        joinToLattice(*node, joint, corners);
+    }
+    broker_.setVerdict(CheckId::ofState(*node), true);
+    return *node;
 }
 
 void LatticeQuery::addStart(const ob::State* state)
 {
-    std::optional<NodeId> node = nodeExactlyAt(state);
-    if (!node)
-    {
-        node = addTerminal(state);
-        for (const auto& corner : embedding_.corners(embedding_.position(state)))
-            join(*node, lattice_.node(corner.data()));
-        for (const NodeId goal : goalNodes_)
-            joinNeighbours(*node, goal);
-    }
-    broker_.setVerdict(CheckId::ofState(*node), true);
-    startNodes_.push_back(*node);
+    const NodeId node = nodeFor(state, Embedding::Joint::Leaving);
+    for (const NodeId goal : goalNodes_)
+        joinNeighbours(node, goal);
+    startStates_.emplace_back(si_, state);
+    startNodes_.push_back(node);
 }
 
 void LatticeQuery::addGoal(const ob::State* state)
 {
-    const std::vector<double> position = embedding_.position(state);
-    lattice::GridHeuristic::Goal target{position, {}};
-    std::optional<NodeId> node = nodeExactlyAt(state);
-    if (!node)
-    {
-        node = addTerminal(state);
-        for (const auto& corner : embedding_.corners(position))
-        {
-            join(lattice_.node(corner.data()), *node);
-            std::vector<double>& approach = target.approaches.emplace_back();
-            std::ranges::transform(position, corner, std::back_inserter(approach), std::minus<double>());
-        }
-        for (const NodeId start : startNodes_)
-            joinNeighbours(start, *node);
-    }
-    gridHeuristic_.addGoal(std::move(target));
+    const NodeId node = nodeFor(state, Embedding::Joint::Entering);
+    for (const NodeId start : startNodes_)
+        joinNeighbours(start, node);
+    heuristic_.addState(state);
     goalStates_.emplace_back(si_, state);
-    broker_.setVerdict(CheckId::ofState(*node), true);
-    goalNodes_.push_back(*node);
+    goalNodes_.push_back(node);
+    if (search_)
+        search_->addGoal(node);
 }
 
-void LatticeQuery::beginSearch()
+void LatticeQuery::setGoal(const ob::GoalPtr& goal, bool region)
 {
-    const lattice::Heuristic& heuristic =
-        motionCost_ ? static_cast<const lattice::Heuristic&>(objectiveHeuristic_) : gridHeuristic_;
-    search_ = std::make_unique<search::AStar>(lattice_, heuristic, broker_, settings_.weight);
-    policy_ = makePolicy();
+    goal_ = goal;
+    region_ = region;
+    heuristic_.setGoal(goal.get(), region, startStates_.front().get());
+}
+
+void LatticeQuery::goalsChanged()
+{
+    search_->heuristicChanged();
+}
+
+void LatticeQuery::beginSearch(double weight)
+{
+    search_ = std::make_unique<search::AStar>(lattice_, heuristic_, broker_, weight,
+                                              lattice::CostSum(addsCosts() ? nullptr : &*costs_));
+    search_->setReopening(!heuristic_.isConsistent());
+    policy_ = makePolicy(weight);
     broker_.setSource(policy_.get());
     search_->setPolicy(policy_.get());
+    if (region_)
+        search_->setGoalTest([this](NodeId node) { return goal_->isSatisfied(stateOf(node).get()); });
     for (const NodeId goal : goalNodes_)
         search_->addGoal(goal);
-    for (const NodeId start : startNodes_)
-        search_->addStart(start);
+    for (std::size_t i = 0; i < startNodes_.size(); ++i)
+        search_->addStart(startNodes_[i],
+                          costs_ ? costs_->number(objective_->initialCost(startStates_[i].get())) : 0.0);
+}
+
+bool LatticeQuery::refine()
+{
+    if (!embedding_.refine())
+        return false;
+    broker_.setSource(nullptr);
+    policy_.reset();
+    search_.reset();
+    lattice_.disconnectAll();  // terminals have other nodes around them now
+    lattice_.setNeighbourhood(embedding_.neighbourhood(discreteMotions_));
+    const std::vector<StateHandle> starts = std::move(startStates_);
+    const std::vector<StateHandle> goals = std::move(goalStates_);
+    startStates_.clear();
+    goalStates_.clear();
+    startNodes_.clear();
+    goalNodes_.clear();
+    heuristic_.clear();
+    for (const StateHandle& start : starts)
+        addStart(start.get());
+    setGoal(goal_, region_);
+    for (const StateHandle& goal : goals)
+        addGoal(goal.get());
+    return true;
+}
+
+void LatticeQuery::successors(NodeId node, lattice::Successors& out) const
+{
+    lattice_.successors(node, out);
 }
 
 StateHandle LatticeQuery::stateOf(NodeId node) const
@@ -184,12 +258,20 @@ StateHandle LatticeQuery::stateOf(NodeId node) const
     return state;
 }
 
-double LatticeQuery::distanceToGoal(const ob::State* state) const
+ob::Cost LatticeQuery::costToCome(NodeId node) const
 {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const StateHandle& goal : goalStates_)
-        nearest = std::min(nearest, si_.distance(state, goal.get()));
-    return nearest;
+    const double cost = search_->costToCome(node);
+    return costs_ ? costs_->cost(cost) : ob::Cost(cost);
+}
+
+ob::Cost LatticeQuery::costOfMotionTo(NodeId node) const
+{
+    const NodeId parent = search_->parent(node);
+    if (parent == lattice::kNoNode)
+        return ob::Cost(0.0);
+    if (addsCosts())
+        return ob::Cost(search_->costToCome(node) - search_->costToCome(parent));
+    return objective_->motionCost(stateOf(parent).get(), stateOf(node).get());
 }
 
 bool LatticeQuery::comesBefore(NodeId node, NodeId other) const
@@ -203,11 +285,13 @@ bool LatticeQuery::comesBefore(NodeId node, NodeId other) const
 LatticeQuery::Nearest LatticeQuery::nearestToGoal() const
 {
     Nearest nearest{lattice::kNoNode, std::numeric_limits<double>::infinity()};
+    StateHandle state(si_);
     for (NodeId node = 0; node < lattice_.size(); ++node)
     {
-        if (!std::isfinite(search_->costToCome(node)))
+        if (search_->costToCome(node) == std::numeric_limits<double>::infinity())
             continue;
-        const double distance = distanceToGoal(stateOf(node).get());
+        embedding_.write(lattice_, node, state.get());
+        const double distance = heuristic_.distance(state.get());
         if (distance < nearest.distance || (distance == nearest.distance && comesBefore(node, nearest.node)))
             nearest = {node, distance};
     }

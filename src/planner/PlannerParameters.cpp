@@ -199,7 +199,7 @@ void validate(const PlannerSettings& settings)
     requireOneOf("speculation_policy", settings.speculationPolicy, speculationPolicies());
     requireOneOf("predictor", settings.predictor, predictors());
     requireRange("lookahead", settings.lookahead, 1, kMaxLookahead, false);
-    requireRange("weight", settings.weight, 1, kMaxWeight, false);
+    requireRange("weight", settings.weight, 1, kMaxWeight, true);
     requireRange("resolution", settings.resolution, kMinResolution, 1, true);
     for (const double spacing : settings.spacing)
         if (!(spacing > 0.0 && spacing <= kMaxSpacing))
@@ -219,7 +219,8 @@ void declareParameters(ompl::base::ParamSet& params, std::function<PlannerSettin
     declarer.choice("predictor", &PlannerSettings::predictor, joined(predictors()));
     declarer.number("lookahead", &PlannerSettings::lookahead, "1:1:1000");
     declarer.flag("barrier", &PlannerSettings::barrier);
-    declarer.number("weight", &PlannerSettings::weight, "1.:.1:1000000000.");
+    declarer.number("weight", &PlannerSettings::weight, "0.:.1:1000000000.");
+    declarer.flag("anytime", &PlannerSettings::anytime);
     declarer.number("resolution", &PlannerSettings::resolution, "0.:.001:1.");
     declarer.declare(
         "spacing", "",
@@ -227,6 +228,7 @@ void declareParameters(ompl::base::ParamSet& params, std::function<PlannerSettin
         [](const PlannerSettings& settings) { return spacingText(settings.spacing); });
     declarer.number("connectivity", &PlannerSettings::connectivity, "0:1:1000");
     declarer.flag("corner_cutting", &PlannerSettings::cornerCutting);
+    declarer.flag("objective_in_checks", &PlannerSettings::objectiveInChecks);
     declarer.choice("executor", &PlannerSettings::executor, "threads,virtual");
     declarer.number("virtual_check_cost", &PlannerSettings::virtualCheckCost, "0.:.001:1000000.");
     declarer.flag("rethrow_exceptions", &PlannerSettings::rethrowExceptions);

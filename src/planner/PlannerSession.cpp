@@ -6,14 +6,15 @@
 #include <thread>
 #include <tuple>
 
+#include <ompl/base/goals/GoalLazySamples.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
-#include "specplan/planner/ObjectiveCost.h"
 #include "specplan/planner/OmplCompat.h"
+#include "specplan/util/Hash.h"
 #include "specplan/validity/InlineExecutor.h"
 #include "specplan/validity/ThreadPoolExecutor.h"
 #include "specplan/validity/VirtualExecutor.h"
@@ -29,23 +30,72 @@ using validity::CheckStatistics;
 
 namespace
 {
-/// Goals taken from a goal that could be sampled for ever.
+/// States taken from a goal that could be sampled for ever.
 constexpr std::size_t kMaxSampledGoals = 16;
+
+/// A goal's threshold below this means "this very state".
+constexpr double kExact = 1e-9;
+
+/// Below this a weight is 1.
+constexpr double kLeastWeight = 1.05;
 
 auto asTuple(const PlannerSettings& s)
 {
-    return std::tie(s.numThreads, s.speculationPolicy, s.predictor, s.lookahead, s.barrier, s.weight, s.resolution,
-                    s.spacing, s.connectivity, s.cornerCutting, s.executor, s.virtualCheckCost);
+    return std::tie(s.numThreads, s.speculationPolicy, s.predictor, s.lookahead, s.barrier, s.weight, s.anytime,
+                    s.resolution, s.spacing, s.connectivity, s.cornerCutting, s.objectiveInChecks, s.executor,
+                    s.virtualCheckCost);
+}
+
+bool isStates(const ob::Goal& goal)
+{
+    return goal.hasType(ob::GOAL_STATE) || goal.hasType(ob::GOAL_STATES);
+}
+
+/// Whether states that were not sampled may satisfy the goal.
+bool isRegion(const ob::Goal& goal)
+{
+    return !isStates(goal) || goal.as<ob::GoalRegion>()->getThreshold() > kExact;
+}
+
+/// Everything about a space that the lattice over it depends on.
+void appendSpace(const ob::StateSpace& space, std::vector<double>& out)
+{
+    out.push_back(space.getLongestValidSegmentLength());
+    out.push_back(space.getValidSegmentCountFactor());
+    if (const auto* real = dynamic_cast<const ob::RealVectorStateSpace*>(&space))
+    {
+        const ob::RealVectorBounds& bounds = real->getBounds();
+        out.insert(out.end(), bounds.low.begin(), bounds.low.end());
+        out.insert(out.end(), bounds.high.begin(), bounds.high.end());
+    }
+    out.push_back(space.getMaximumExtent());
+    if (const auto* compound = dynamic_cast<const ob::CompoundStateSpace*>(&space))
+        for (unsigned i = 0; i < compound->getSubspaceCount(); ++i)
+        {
+            out.push_back(compound->getSubspaceWeight(i));
+            appendSpace(*compound->getSubspace(i), out);
+        }
 }
 }  // namespace
 
 void PlannerSession::reset()
 {
+    resetQuery();
     query.reset();
+}
+
+void PlannerSession::resetQuery()
+{
+    if (query)
+        query->beginQuery();
     dataStates.clear();
     report = {};
-    published = false;
-    clockInSearch = 0.0;
+    bound_ = std::numeric_limits<double>::quiet_NaN();
+    finished_ = false;
+    bestCost_.reset();
+    bestPath_.reset();
+    past_ = {};
+    clockInSearch_ = 0.0;
     live.expansions = 0;
     live.checksUsed = 0;
     live.speculativeChecks = 0;
@@ -76,10 +126,11 @@ void PlannerSession::ensureExecutor()
 
 Origins PlannerSession::currentOrigins(const ob::ProblemDefinition& pdef) const
 {
-    const auto& bounds = si->getStateSpace()->as<ob::RealVectorStateSpace>()->getBounds();
-    Origins now{si->getStateValidityChecker(), si->getMotionValidator(), pdef.getOptimizationObjective(), bounds.low,
-                si->getStateSpace()->getLongestValidSegmentLength()};
-    now.bounds.insert(now.bounds.end(), bounds.high.begin(), bounds.high.end());
+    ob::OptimizationObjectivePtr objective = pdef.getOptimizationObjective();
+    if (objective && isPathLength(*objective))
+        objective.reset();  // all the same
+    Origins now{si->getStateValidityChecker(), si->getMotionValidator(), objective, {}};
+    appendSpace(*si->getStateSpace(), now.space);
     return now;
 }
 
@@ -114,15 +165,11 @@ bool PlannerSession::takeStarts(ob::PlannerInputStates& inputs, const ob::Proble
         if (!query)
         {
             ob::OptimizationObjectivePtr objective = pdef.getOptimizationObjective();
-            if (objective && !isAdditive(*objective))
-            {
-                OMPL_WARN("SpeculativeAStar: the objective does not add up costs; the path is planned for length");
-                objective.reset();
-            }
             if (!objective)
                 objective = std::make_shared<ob::PathLengthOptimizationObjective>(si);
             query = std::make_unique<LatticeQuery>(*si, std::move(objective), settings, *executor, *checker,
                                                    makeSources(), start);
+            refinements_ = 0;
         }
         query->addStart(start);
         added = true;
@@ -130,14 +177,15 @@ bool PlannerSession::takeStarts(ob::PlannerInputStates& inputs, const ob::Proble
     return added;
 }
 
+/// \param ptc nullptr: takes only what is there. Otherwise waits for the first one.
 bool PlannerSession::takeGoals(ob::PlannerInputStates& inputs, const ob::Goal& goal,
-                               const ob::PlannerTerminationCondition& ptc)
+                               const ob::PlannerTerminationCondition* ptc)
 {
+    if (!goal.hasType(ob::GOAL_SAMPLEABLE_REGION))
+        return false;
     bool added = false;
-    const std::size_t most =
-        std::min<std::size_t>(goal.as<ob::GoalSampleableRegion>()->maxSampleCount(),
-                              goal.hasType(ob::GOAL_STATES) ? std::size_t{1} << 20 : kMaxSampledGoals);
-    const ob::State* state = query->goals().empty() ? inputs.nextGoal(ptc) : inputs.nextGoal();
+    const std::size_t most = isStates(goal) ? std::size_t{1} << 20 : kMaxSampledGoals;
+    const ob::State* state = ptc != nullptr ? inputs.nextGoal(*ptc) : inputs.nextGoal();
     for (; state != nullptr; state = inputs.nextGoal())
     {
         query->addGoal(state);
@@ -146,6 +194,12 @@ bool PlannerSession::takeGoals(ob::PlannerInputStates& inputs, const ob::Goal& g
             break;
     }
     return added;
+}
+
+/// Whether a goal has come up that the search does not know of yet.
+bool PlannerSession::moreGoals(const ob::PlannerInputStates& inputs, const ob::Goal& goal) const
+{
+    return isStates(goal) && inputs.getSampledGoalsCount() < goal.as<ob::GoalSampleableRegion>()->maxSampleCount();
 }
 
 std::optional<ob::PlannerStatus> PlannerSession::openQuery(ob::PlannerInputStates& inputs,
@@ -167,45 +221,64 @@ std::optional<ob::PlannerStatus> PlannerSession::openQuery(ob::PlannerInputState
         return ob::PlannerStatus(status);
     };
 
-    const ob::GoalPtr& goal = pdef.getGoal();
-    if (!goal->hasType(ob::GOAL_SAMPLEABLE_REGION))
-    {
-        OMPL_ERROR("SpeculativeAStar: the goal must be a state, a set of states, or a region that can be sampled");
-        return refuse(ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE, "unrecognized goal");
-    }
     ensureExecutor();
     if (!query)
         inputs.restart();  // an earlier call may have taken starts and failed
     bool changed = takeStarts(inputs, pdef);
-    if (!query)
+    if (!query || query->starts().empty())
     {
         OMPL_ERROR("SpeculativeAStar: there is no valid start state");
         return refuse(ob::PlannerStatus::INVALID_START, "invalid start");
     }
-    changed = takeGoals(inputs, *goal, ptc) || changed;
-    if (query->goals().empty())
+    const ob::GoalPtr& goal = pdef.getGoal();
+    if (changed)
+        query->setGoal(goal, isRegion(*goal));
+    changed = takeGoals(inputs, *goal, query->goals().empty() && isStates(*goal) ? &ptc : nullptr) || changed;
+    if (query->goals().empty() && !isRegion(*goal))
     {
         OMPL_ERROR("SpeculativeAStar: there is no valid goal state");
         return refuse(ob::PlannerStatus::INVALID_GOAL, "invalid goal");
     }
     if (changed)
     {
-        query->beginSearch();
-        published = false;
+        weight_ = query->firstWeight();
+        finished_ = false;
+        bestCost_.reset();
+        bestPath_.reset();
+        past_ = {};
+        query->beginSearch(weight_);
     }
     return std::nullopt;
+}
+
+void PlannerSession::beginSearch()
+{
+    past_ = {expansions(), orderHash()};
+    query->beginSearch(weight_);
+}
+
+std::uint64_t PlannerSession::expansions() const
+{
+    return past_.expansions + (query && query->isSearching() ? query->search().expansions() : 0);
+}
+
+std::uint64_t PlannerSession::orderHash() const
+{
+    const std::uint64_t now = query && query->isSearching() ? query->search().orderHash() : 0;
+    return past_.orderHash == 0 ? now : util::mix(past_.orderHash, now);
 }
 
 void PlannerSession::publishCounts()
 {
     // Relaxed: each counter stands for itself.
     const CheckStatistics& counts = query->broker().statistics();
-    live.expansions.store(query->search().expansions(), std::memory_order_relaxed);
+    live.expansions.store(expansions(), std::memory_order_relaxed);
     live.checksUsed.store(counts.checksUsed, std::memory_order_relaxed);
     live.speculativeChecks.store(counts.speculativeChecks, std::memory_order_relaxed);
 }
 
-SearchStatus PlannerSession::search(const ob::PlannerTerminationCondition& ptc)
+SearchStatus PlannerSession::search(ob::PlannerInputStates& inputs, const ob::Goal& goal,
+                                    const ob::PlannerTerminationCondition& ptc)
 {
     /// Nothing may run any more when solve() is left, whichever way.
     struct Settle
@@ -215,7 +288,7 @@ SearchStatus PlannerSession::search(const ob::PlannerTerminationCondition& ptc)
 
         ~Settle()
         {
-            session.clockInSearch += session.executor->now() - clock;
+            session.clockInSearch_ += session.executor->now() - clock;
             session.query->broker().settle();
             session.query->broker().setInterrupt({});
             session.query->search().setObserver({});
@@ -226,12 +299,98 @@ SearchStatus PlannerSession::search(const ob::PlannerTerminationCondition& ptc)
     query->broker().setInterrupt([&ptc] { return ptc(); });
     if (observer)
         query->search().setObserver([this](NodeId node) { observer(query->stateOf(node).get()); });
-    return query->search().run(
-        [this, &ptc]
+    for (;;)
+    {
+        bool goalCameUp = false;
+        const SearchStatus end = query->search().run(
+            [&]
+            {
+                publishCounts();
+                goalCameUp = moreGoals(inputs, goal);
+                return goalCameUp || ptc();
+            });
+        const bool waits = end == SearchStatus::Infeasible && goal.hasType(ob::GOAL_LAZY_SAMPLES) &&
+                           goal.as<ob::GoalLazySamples>()->isSampling();
+        if (!waits && !(end == SearchStatus::Stopped && goalCameUp))
+            return end;
+        query->broker().settle();  // taking goals checks them in this thread
+        if (takeGoals(inputs, goal, waits ? &ptc : nullptr))
+            query->goalsChanged();
+        else if (waits)
+            return ptc() ? SearchStatus::Stopped : end;
+    }
+}
+
+/// Begins a search that may find something better than what is known. \return false if there is none.
+bool PlannerSession::beginBetterSearch(const ob::ProblemDefinition& pdef)
+{
+    const ob::OptimizationObjectivePtr& objective = pdef.getOptimizationObjective();
+    finished_ = !settings.anytime || !objective || objective->isSatisfied(*bestCost_);
+    if (finished_)
+        return false;
+    if (query->addsCosts() && weight_ > 1.0)
+    {
+        weight_ = 1.0 + (weight_ - 1.0) / 2.0;
+        if (weight_ < kLeastWeight)
+            weight_ = 1.0;
+        beginSearch();
+        return true;
+    }
+    finished_ = !refine();
+    return !finished_;
+}
+
+bool PlannerSession::refine()
+{
+    const Past past{expansions(), orderHash()};
+    if (!query->refine())
+        return false;
+    past_ = past;
+    ++refinements_;
+    query->beginSearch(weight_);
+    return true;
+}
+
+ob::PlannerStatus PlannerSession::solve(ob::PlannerInputStates& inputs, const ob::PlannerTerminationCondition& ptc,
+                                        ob::Planner& planner)
+{
+    const ob::ProblemDefinition& pdef = *planner.getProblemDefinition();
+    while (!finished_)
+    {
+        const SearchStatus end = search(inputs, *pdef.getGoal(), ptc);
+        if (end == SearchStatus::Stopped)
+            break;
+        if (end == SearchStatus::Solved)
         {
-            publishCounts();
-            return ptc();
-        });
+            takeSolution(planner);
+            if (!beginBetterSearch(pdef))
+                break;
+        }
+        else if (!bestCost_ && settings.anytime && query->embedding().coarseness() > 1.0 && refine())
+        {
+            OMPL_INFORM("%s: no goal can be reached on the lattice; going on with half its spacing",
+                        planner.getName().c_str());
+        }
+        else if (bestCost_)
+        {
+            finished_ = true;  // other goals cannot be reached
+        }
+        else
+        {
+            report.status = "infeasible";
+            OMPL_WARN("%s: no goal can be reached on this lattice; a finer resolution may find a way",
+                      planner.getName().c_str());
+            return kInfeasible;
+        }
+    }
+    if (bestCost_)
+    {
+        report.status = "solved";
+        publishSolution(planner);
+        return ob::PlannerStatus::EXACT_SOLUTION;
+    }
+    report.status = "timeout";
+    return publishApproximation(planner) ? ob::PlannerStatus::APPROXIMATE_SOLUTION : ob::PlannerStatus::TIMEOUT;
 }
 
 std::shared_ptr<og::PathGeometric> PlannerSession::pathTo(NodeId node) const
@@ -245,13 +404,14 @@ std::shared_ptr<og::PathGeometric> PlannerSession::pathTo(NodeId node) const
 void PlannerSession::fillReport()
 {
     const CheckStatistics& counts = query->broker().statistics();
-    const NodeId goal = query->search().reachedGoal();
-    report.cost =
-        goal == lattice::kNoNode ? std::numeric_limits<double>::quiet_NaN() : query->search().costToCome(goal);
-    report.expansions = query->search().expansions();
-    report.orderHash = query->search().orderHash();
+    report.cost = bestCost_ ? bestCost_->value() : std::numeric_limits<double>::quiet_NaN();
+    report.bound = bound_;
+    report.refinements = refinements_;
+    report.expansions = expansions();
+    report.orderHash = orderHash();
     report.nodes = query->lattice().size();
     report.checksUsed = counts.checksUsed;
+    report.checksReused = counts.checksReused;
     report.checksTotal = counts.checksRun;
     report.demandedChecks = counts.demandedChecks;
     report.speculativeChecks = counts.speculativeChecks;
@@ -267,56 +427,45 @@ void PlannerSession::fillReport()
     report.threads = executor->workers();
 
     const bool simulated = settings.executor == "virtual";
-    report.virtualTime = simulated ? clockInSearch : 0.0;
+    report.virtualTime = simulated ? clockInSearch_ : 0.0;
     report.waitTime = counts.waitSeconds;
-    report.searchTime = simulated ? 0.0 : std::max(clockInSearch - counts.waitSeconds, 0.0);
+    report.searchTime = simulated ? 0.0 : std::max(clockInSearch_ - counts.waitSeconds, 0.0);
     report.sequentialTime = counts.usedSeconds + report.searchTime;
-    report.speedup = executor->runsInline() || !(clockInSearch > 0.0) ? 1.0 : report.sequentialTime / clockInSearch;
+    report.speedup = executor->runsInline() || !(clockInSearch_ > 0.0) ? 1.0 : report.sequentialTime / clockInSearch_;
     report.efficiency = report.speedup / report.threads;
 }
 
-ob::PlannerStatus PlannerSession::publish(SearchStatus end, ob::Planner& planner)
-{
-    switch (end)
-    {
-        case SearchStatus::Solved:
-            report.status = "solved";
-            publishSolution(planner);
-            return ob::PlannerStatus::EXACT_SOLUTION;
-        case SearchStatus::Infeasible:
-            report.status = "infeasible";
-            OMPL_WARN("%s: no goal can be reached on this lattice; a finer resolution may find a way",
-                      planner.getName().c_str());
-            return kInfeasible;
-        case SearchStatus::Stopped:
-            break;
-    }
-    report.status = "timeout";
-    return publishApproximation(planner) ? ob::PlannerStatus::APPROXIMATE_SOLUTION : ob::PlannerStatus::TIMEOUT;
-}
-
-void PlannerSession::publishSolution(ob::Planner& planner)
+/// Keeps the path just found if it is the best one so far, and tells whoever wants to know at once.
+void PlannerSession::takeSolution(ob::Planner& planner)
 {
     const ob::ProblemDefinitionPtr& pdef = planner.getProblemDefinition();
     const NodeId goal = query->search().reachedGoal();
-    const ob::Cost cost(query->search().costToCome(goal));
+    const ob::Cost cost = query->costToCome(goal);
+    bound_ = weight_;
+    if (bestCost_ && !query->isBetter(cost, *bestCost_))
+        return;
+    bestCost_ = cost;
+    bestPath_ = pathTo(goal);
     live.bestCost.store(cost.value(), std::memory_order_relaxed);
-    if (pdef->hasExactSolution() && published)
-        return;  // an earlier call has done it, and the answer is the same
-    published = true;
-    const std::shared_ptr<og::PathGeometric> path = pathTo(goal);
     if (const auto& callback = pdef->getIntermediateSolutionCallback())
     {
-        const std::vector<ob::State*>& states = path->getStates();
+        const std::vector<ob::State*>& states = bestPath_->getStates();
         callback(&planner, std::vector<const ob::State*>(states.begin(), states.end()), cost);
     }
-    ob::PlannerSolution solution(path);
+    publishSolution(planner);
+}
+
+/// Gives OMPL the best path, unless it has it.
+void PlannerSession::publishSolution(ob::Planner& planner) const
+{
+    const ob::ProblemDefinitionPtr& pdef = planner.getProblemDefinition();
+    for (const ob::PlannerSolution& known : pdef->getSolutions())
+        if (known.path_ == bestPath_)
+            return;
+    ob::PlannerSolution solution(bestPath_);
     solution.setPlannerName(planner.getName());
     if (const ob::OptimizationObjectivePtr& objective = pdef->getOptimizationObjective())
-    {
-        const ob::Cost itsCost = path->cost(objective);
-        solution.setOptimized(objective, itsCost, objective->isSatisfied(itsCost));
-    }
+        solution.setOptimized(objective, *bestCost_, objective->isSatisfied(*bestCost_));
     pdef->addSolutionPath(solution);
 }
 

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include <ompl/base/PlannerData.h>
-#include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Exception.h>
 
+#include "specplan/planner/Explanation.h"
 #include "specplan/planner/PlannerParameters.h"
 #include "specplan/planner/PlannerSession.h"
 #include "specplan/validity/RunCheck.h"
@@ -25,7 +25,7 @@ SpeculativeAStar::SpeculativeAStar(const ob::SpaceInformationPtr& si) : Speculat
 SpeculativeAStar::SpeculativeAStar(const ob::SpaceInformationPtr& si, const PlannerSettings& settings)
     : ob::Planner(si, "SpeculativeAStar"), session_(std::make_unique<planner::PlannerSession>(si))
 {
-    specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
+    specs_.recognizedGoal = ob::GOAL_ANY;
     specs_.multithreaded = true;
     specs_.approximateSolutions = true;
     specs_.optimizingPaths = true;
@@ -50,11 +50,16 @@ SpeculativeAStar::~SpeculativeAStar() = default;
 void SpeculativeAStar::checkValidity()
 {
     ob::Planner::checkValidity();
-    const auto* space = dynamic_cast<const ob::RealVectorStateSpace*>(si_->getStateSpace().get());
-    if (space == nullptr)
-        throw ompl::Exception(getName() + ": the state space '" + si_->getStateSpace()->getName() +
-                              "' is not a RealVectorStateSpace");
-    space->getBounds().check();
+    try
+    {
+        for (const planner::Part& part : planner::decompose(si_->getStateSpace()).parts)
+            if (const auto* real = dynamic_cast<const ob::RealVectorStateSpace*>(part.space.get()))
+                real->getBounds().check();
+    }
+    catch (const ompl::Exception& error)
+    {
+        throw ompl::Exception(getName() + ": " + error.what());
+    }
 }
 
 void SpeculativeAStar::setup()
@@ -72,7 +77,7 @@ void SpeculativeAStar::clearQuery()
 {
     pis_.clear();
     pis_.update();
-    session_->reset();
+    session_->resetQuery();
 }
 
 ob::PlannerStatus SpeculativeAStar::solve(const ob::PlannerTerminationCondition& ptc)
@@ -83,7 +88,7 @@ ob::PlannerStatus SpeculativeAStar::solve(const ob::PlannerTerminationCondition&
     try
     {
         const auto refused = session_->openQuery(pis_, *pdef_, ptc);
-        status = refused ? *refused : session_->publish(session_->search(ptc), *this);
+        status = refused ? *refused : session_->solve(pis_, ptc, *this);
     }
     catch (const std::exception& error)
     {
@@ -98,7 +103,7 @@ ob::PlannerStatus SpeculativeAStar::solve(const ob::PlannerTerminationCondition&
             throw;
     }
     session_->report.wallTime += validity::steadySeconds() - start;
-    if (session_->query)
+    if (session_->query && session_->query->isSearching())
         session_->fillReport();
     return status;
 }
@@ -106,8 +111,9 @@ ob::PlannerStatus SpeculativeAStar::solve(const ob::PlannerTerminationCondition&
 void SpeculativeAStar::getPlannerData(ob::PlannerData& data) const
 {
     ob::Planner::getPlannerData(data);
-    if (!session_->query)
+    if (!session_->query || !session_->query->isSearching())
         return;
+    planner::describeRun(session_->report, data.properties);
     const planner::LatticeQuery& query = *session_->query;
     const auto vertex = [this, &query](lattice::NodeId node)
     {
@@ -122,13 +128,9 @@ void SpeculativeAStar::getPlannerData(ob::PlannerData& data) const
         data.addGoalVertex(vertex(goal));
     for (lattice::NodeId node = 0; node < query.lattice().size(); ++node)
     {
-        if (!std::isfinite(query.search().costToCome(node)))
-            continue;
         const lattice::NodeId parent = query.search().parent(node);
-        if (parent == lattice::kNoNode)
-            continue;
-        const double cost = query.search().costToCome(node) - query.search().costToCome(parent);
-        data.addEdge(vertex(parent), vertex(node), ob::PlannerDataEdge(), ob::Cost(cost));
+        if (parent != lattice::kNoNode)
+            data.addEdge(vertex(parent), vertex(node), ob::PlannerDataEdge(), query.costOfMotionTo(node));
     }
 }
 
@@ -155,6 +157,19 @@ void SpeculativeAStar::setMotionValidatorAllocator(MotionValidatorAllocator allo
     session_->sourcesChanged = true;
 }
 
+void SpeculativeAStar::forgetVerdicts()
+{
+    session_->reset();
+    pis_.restart();
+}
+
+void SpeculativeAStar::explain(std::ostream& out)
+{
+    checkValidity();
+    const auto refused = session_->openQuery(pis_, *pdef_, ob::plannerAlwaysTerminatingCondition());
+    planner::explain(*session_, refused ? refused->asString() : "", out);
+}
+
 const SearchReport& SpeculativeAStar::getReport() const
 {
     return session_->report;
@@ -162,7 +177,7 @@ const SearchReport& SpeculativeAStar::getReport() const
 
 void SpeculativeAStar::visitStates(const std::function<void(const ob::State*, StateFate)>& visit) const
 {
-    if (!session_->query)
+    if (!session_->query || !session_->query->isSearching())
         return;
     const planner::LatticeQuery& query = *session_->query;
     for (lattice::NodeId node = 0; node < query.lattice().size(); ++node)

@@ -143,6 +143,8 @@ PlannerSettings gridPlannerSettings(bool cornerCutting)
 {
     PlannerSettings settings;
     settings.spacing = {1.0};
+    settings.anytime = false;
+    settings.objectiveInChecks = false;
     settings.connectivity = 2;
     settings.cornerCutting = cornerCutting;
     return settings;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/validity/Broker.h"
 
+#include <limits>
 #include <utility>
 
 #include "specplan/validity/RunCheck.h"
@@ -171,8 +172,14 @@ void Broker::submitMissing()
 /// The search asks for a verdict that is there.
 void Broker::noteReady(Entry& entry)
 {
-    if (entry.used)
+    if (isUsed(entry))
         return;
+    if (entry.foundIn != query_)
+    {
+        ++statistics_.checksReused;
+        entry.usedIn = query_;
+        return;
+    }
     ++statistics_.usedReady;
     statistics_.speculativeReady += entry.speculative ? 1 : 0;
     noteUse(entry);
@@ -271,6 +278,7 @@ void Broker::record(Completion& completion)
     ++statistics_.checksRun;
     statistics_.runSeconds += completion.seconds;
     entry.seconds = static_cast<float>(completion.seconds);
+    entry.foundIn = query_;
     if (completion.measured)
         costOf(check).add(completion.seconds);
     if (completion.error)
@@ -289,7 +297,7 @@ void Broker::record(Completion& completion)
         return;
     entry.awaited = false;
     --awaited_;
-    if (!entry.failed && !entry.used)
+    if (!entry.failed && !isUsed(entry))
     {
         ++statistics_.usedAfterWait;
         noteUse(entry);
@@ -298,7 +306,7 @@ void Broker::record(Completion& completion)
 
 void Broker::noteUse(Entry& entry)
 {
-    entry.used = true;
+    entry.usedIn = query_;
     ++statistics_.checksUsed;
     statistics_.speculativeUsed += entry.speculative ? 1 : 0;
     statistics_.usedSeconds += static_cast<double>(entry.seconds);
@@ -307,16 +315,29 @@ void Broker::noteUse(Entry& entry)
 void Broker::rethrow(CheckId check)
 {
     const std::exception_ptr error = errors_.at(check);
-    if (!std::exchange(table_[check].reported, true))
+    if (Entry& entry = table_[check]; !entry.reported)
+    {
+        entry.reported = true;
         --statistics_.failuresForgotten;
+    }
     std::rethrow_exception(error);
 }
 
 void Broker::setVerdict(CheckId check, bool valid)
 {
     Entry& entry = table_[check];
-    if (entry.verdict == Verdict::Unknown && !entry.failed)
-        entry.verdict = valid ? Verdict::Valid : Verdict::Invalid;
+    if (entry.verdict != Verdict::Unknown || entry.failed)
+        return;
+    entry.verdict = valid ? Verdict::Valid : Verdict::Invalid;
+    entry.foundIn = query_;
+}
+
+void Broker::beginQuery()
+{
+    // A number used before would take verdicts of long ago for new ones, which only miscounts.
+    query_ =
+        query_ == std::numeric_limits<std::uint16_t>::max() ? std::uint16_t{1} : static_cast<std::uint16_t>(query_ + 1);
+    statistics_ = {};
 }
 
 void Broker::settle()

@@ -48,7 +48,7 @@ TEST(Parameters, TheMessageNamesParameterRangeAndValue)
     }
     catch (const std::invalid_argument& error)
     {
-        EXPECT_STREQ(error.what(), "weight must be between 1 and 1e+09, not 'nan'");
+        EXPECT_STREQ(error.what(), "weight must be 0, or between 1 and 1e+09, not 'nan'");
     }
 }
 
@@ -66,13 +66,21 @@ TEST(Parameters, RoundTripThroughStrings)
 {
     Scene scene;
     SpeculativeAStar one(scene.setup.getSpaceInformation());
-    const std::map<std::string, std::string> values{{"num_threads", "12"},      {"speculation_policy", "none"},
-                                                    {"predictor", "nearby"},    {"lookahead", "7"},
-                                                    {"barrier", "1"},           {"weight", "2.5"},
-                                                    {"resolution", "0.013"},    {"spacing", "0.1,0.25"},
-                                                    {"connectivity", "1"},      {"corner_cutting", "0"},
-                                                    {"executor", "virtual"},    {"virtual_check_cost", "0.005"},
-                                                    {"rethrow_exceptions", "1"}};
+    const std::map<std::string, std::string> values{{"num_threads", "12"},
+                                                    {"speculation_policy", "none"},
+                                                    {"predictor", "nearby"},
+                                                    {"lookahead", "7"},
+                                                    {"barrier", "1"},
+                                                    {"weight", "2.5"},
+                                                    {"resolution", "0.013"},
+                                                    {"spacing", "0.1,0.25"},
+                                                    {"connectivity", "1"},
+                                                    {"corner_cutting", "0"},
+                                                    {"executor", "virtual"},
+                                                    {"virtual_check_cost", "0.005"},
+                                                    {"rethrow_exceptions", "1"},
+                                                    {"anytime", "0"},
+                                                    {"objective_in_checks", "0"}};
     ASSERT_TRUE(one.params().setParams(values));
     std::map<std::string, std::string> read;
     one.params().getParams(read);
@@ -89,7 +97,7 @@ TEST(Parameters, AreAllDocumentedWithTheirDefaultsAndRanges)
     SpeculativeAStar planner(scene.setup.getSpaceInformation());
     std::vector<std::string> names;
     planner.params().getParamNames(names);
-    EXPECT_EQ(names.size(), 13U);
+    EXPECT_EQ(names.size(), 15U);
     for (const std::string& name : names)
     {
         const auto& param = planner.params()[name];

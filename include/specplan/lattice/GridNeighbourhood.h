@@ -22,6 +22,9 @@ struct GridSteps
     /// How many axes may change in one step, 1 to the dimension: in the plane 1 gives 4 neighbours and 2 gives 8.
     unsigned connectivity = 2;
 
+    /// Lattice units of one step along an axis, at least 1.
+    Coordinate stride = 1;
+
     /// If false, a step that changes several axes needs the states at all corners of the box that it spans to be valid.
     bool cornerCutting = true;
 
@@ -32,7 +35,7 @@ struct GridSteps
     std::function<bool(std::span<const Coordinate> offset)> motionCheck;
 };
 
-/// Axis-aligned grid: a step changes up to `connectivity` coordinates by one.
+/// Axis-aligned grid: a step changes up to `connectivity` coordinates by one stride.
 class GridNeighbourhood : public Neighbourhood
 {
 public:
@@ -67,6 +70,7 @@ private:
     void addGuards(const Coordinate* from, Steps::Step& step, std::vector<Coordinate>& guards) const;
 
     GridBox box_;
+    Coordinate stride_;
     std::vector<Steps::Step> patterns_;     ///< one for each direction; firstGuard counts rows of guardOffsets_
     std::vector<Coordinate> offsets_;       ///< a row for each direction
     std::vector<Coordinate> guardOffsets_;  ///< rows

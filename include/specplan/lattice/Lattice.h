@@ -104,7 +104,7 @@ public:
 
     /// For costs that only a check tells: every motion has a check of its own then. \param costs must outlive the
     /// lattice; to be set before the first motion is made.
-    void setMotionCosts(const MotionCosts* costs) noexcept
+    void setMotionCosts(MotionCosts* costs) noexcept
     {
         motionCosts_ = costs;
     }
@@ -159,7 +159,7 @@ private:
     std::vector<MotionId> firstMotion_;  ///< node -> first of its maxSteps() motions, once it was asked for
     std::unordered_map<NodeId, std::vector<HandMade>> handMade_;
     std::function<double(NodeId, NodeId)> stepCost_;
-    const MotionCosts* motionCosts_ = nullptr;
+    MotionCosts* motionCosts_ = nullptr;
     std::size_t terminals_ = 0;
     Steps steps_;  ///< scratch of successors()
     std::vector<Coordinate> next_;

@@ -12,6 +12,9 @@ class MotionCosts
 public:
     virtual ~MotionCosts() = default;
 
+    /// Motions below this number are about to be checked; search thread.
+    virtual void makeRoom(std::size_t motions) = 0;
+
     /// A cost that the motion has at least; cheap, search thread.
     [[nodiscard]] virtual double lowerBound(NodeId from, NodeId to) const = 0;
 

@@ -8,8 +8,8 @@
 
 namespace specplan::lattice
 {
-/// A vehicle's plane: place and heading, and for each heading the motions that the vehicle can make from it, wherever it
-/// stands. Coordinates: x, y, heading (0 to headings - 1).
+/// A vehicle's plane: place and heading, and for each heading the motions that the vehicle can make from it, wherever
+/// it stands. Coordinates: x, y, heading (0 to headings - 1).
 ///
 /// Reference: M. Pivtoraiko, R. Knepper, A. Kelly, "Differentially constrained mobile robot motion planning in state
 /// lattices", 2009.

@@ -15,9 +15,10 @@ using Quaternion = std::array<double, 4>;
 /// A grid of rotations: the integer points on the surface of the cube [-size, size]^4, opposite points being one.
 ///
 /// Unit quaternions are the unit sphere in four dimensions, q and -q being the same rotation. The sphere is blown up to
-/// a cube, and the cube's surface carries an integer grid; a grid line at k stands for tan(k / size * pi / 4), which makes
-/// the cells nearly equal. There is no pole, and the grid of half the spacing contains this one: double the numbers.
-/// The number of rotations is ((2 n + 1)^4 - (2 n - 1)^4) / 2 with n = size / stride: 40, 272, 2080, ... for 1, 2, 4.
+/// a cube, and the cube's surface carries an integer grid; a grid line at k stands for tan(k / size * pi / 4), which
+/// makes the cells nearly equal. There is no pole, and the grid of half the spacing contains this one: double the
+/// numbers. The number of rotations is ((2 n + 1)^4 - (2 n - 1)^4) / 2 with n = size / stride: 40, 272, 2080, ... for
+/// 1, 2, 4.
 ///
 /// Idea: the cubed sphere (Ronchi, Iacono, Paolucci 1996), one dimension up.
 class RotationGrid

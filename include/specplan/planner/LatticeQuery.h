@@ -7,37 +7,71 @@
 
 #include <ompl/base/OptimizationObjective.h>
 
-#include "specplan/lattice/GridHeuristic.h"
-#include "specplan/planner/ObjectiveCost.h"
+#include "specplan/planner/Embedding.h"
+#include "specplan/planner/GoalHeuristic.h"
+#include "specplan/planner/ObjectiveCosts.h"
 #include "specplan/planner/OmplChecker.h"
 #include "specplan/planner/PlannerSettings.h"
-#include "specplan/planner/RealVectorEmbedding.h"
 #include "specplan/search/AStar.h"
 #include "specplan/speculation/Predictor.h"
 #include "specplan/validity/Broker.h"
 
 namespace specplan::planner
 {
-/// One planning query: the lattice through its first start, what is known of its states, and the search over it.
+/// A lattice through its first start, what is known of its states, and one planning query after the other over it.
 ///
-/// Starts and goals may be added later on; the search then begins again and finds every verdict still there.
+/// Starts and goals may be added later on, and the lattice may be refined; the search then begins again and finds every
+/// verdict still there. So does the next query.
 ///
 /// Threads: search thread only.
 class LatticeQuery
 {
 public:
-    /// \param objective additive; shared so that it lives as long as the query. \param origin the first start.
+    /// \param objective shared so that it lives as long as the query. \param origin the first start.
     /// \throws ompl::Exception if the settings do not fit the space.
     LatticeQuery(const ompl::base::SpaceInformation& si, ompl::base::OptimizationObjectivePtr objective,
                  const PlannerSettings& settings, validity::Executor& executor, OmplChecker& checker,
                  OmplChecker::Sources sources, const ompl::base::State* origin);
 
-    /// Adds valid states; `beginSearch` has to follow.
+    /// Forgets starts, goals and the search. Verdicts stay.
+    void beginQuery();
+
+    /// Adds valid states; `beginSearch` has to follow, or `goalsChanged` after goals that come up during a search.
     void addStart(const ompl::base::State* state);
     void addGoal(const ompl::base::State* state);
 
-    /// Begins the search afresh with all starts and goals so far.
-    void beginSearch();
+    /// Sets the goal that the goal states stand for, after the starts. \param region whether other states may satisfy
+    /// it.
+    void setGoal(const ompl::base::GoalPtr& goal, bool region);
+
+    /// Begins the search afresh with all starts and goals so far. \param weight of the heuristic, at least 1.
+    void beginSearch(double weight);
+
+    /// Lets the search take up goals that were added after it began.
+    void goalsChanged();
+
+    /// Halves the spacing of the lattice; `beginSearch` has to follow. \return false if that is not possible.
+    bool refine();
+
+    /// Weight that the settings stand for.
+    [[nodiscard]] double firstWeight() const;
+
+    /// Whether costs add up, so that weights have a meaning.
+    [[nodiscard]] bool addsCosts() const noexcept
+    {
+        return !costs_ || costs_->adds();
+    }
+
+    [[nodiscard]] bool isBetter(ompl::base::Cost cost, ompl::base::Cost other) const
+    {
+        return objective_->isCostBetterThan(cost, other);
+    }
+
+    /// Whether `beginSearch` has been called for this query.
+    [[nodiscard]] bool isSearching() const noexcept
+    {
+        return search_ != nullptr;
+    }
 
     [[nodiscard]] search::AStar& search() noexcept
     {
@@ -64,6 +98,11 @@ public:
         return lattice_;
     }
 
+    [[nodiscard]] const Embedding& embedding() const noexcept
+    {
+        return embedding_;
+    }
+
     [[nodiscard]] const std::vector<lattice::NodeId>& starts() const noexcept
     {
         return startNodes_;
@@ -74,8 +113,29 @@ public:
         return goalNodes_;
     }
 
+    /// Writes all motions out of a node.
+    void successors(lattice::NodeId node, lattice::Successors& out) const;
+
+    /// Whether nodes never have to be opened again.
+    [[nodiscard]] bool isConsistent() const
+    {
+        return heuristic_.isConsistent();
+    }
+
+    /// Whether states other than the goal states may satisfy the goal.
+    [[nodiscard]] bool takesRegion() const noexcept
+    {
+        return region_;
+    }
+
     /// A new state with the values of a node.
     [[nodiscard]] StateHandle stateOf(lattice::NodeId node) const;
+
+    /// Cost of the best way found to a node.
+    [[nodiscard]] ompl::base::Cost costToCome(lattice::NodeId node) const;
+
+    /// Cost of the last motion of the best way found to a node; 0 for starts.
+    [[nodiscard]] ompl::base::Cost costOfMotionTo(lattice::NodeId node) const;
 
     /// Reached node that lies nearest to a goal, and its distance; of equals the cheapest to reach.
     struct Nearest
@@ -86,33 +146,44 @@ public:
     [[nodiscard]] Nearest nearestToGoal() const;
 
 private:
-    [[nodiscard]] std::unique_ptr<lattice::GridNeighbourhood> makeNeighbourhood(bool discreteMotions) const;
-    [[nodiscard]] std::optional<lattice::NodeId> nodeExactlyAt(const ompl::base::State* state);
+    [[nodiscard]] std::optional<lattice::NodeId> nodeExactlyAt(const ompl::base::State* state,
+                                                               const std::vector<Embedding::Coordinates>& corners);
     [[nodiscard]] std::unique_ptr<speculation::Predictor> makePredictor();
-    [[nodiscard]] std::unique_ptr<speculation::Policy> makePolicy();
-    lattice::NodeId addTerminal(const ompl::base::State* state);
+    [[nodiscard]] std::unique_ptr<speculation::Policy> makePolicy(double weight);
+    /// A terminal at this state; the one of an earlier query if there is one.
+    lattice::NodeId terminalAt(const ompl::base::State* state);
+    lattice::NodeId nodeFor(const ompl::base::State* state, Embedding::Joint joint);
+    void joinToLattice(lattice::NodeId terminal, Embedding::Joint joint,
+                       const std::vector<Embedding::Coordinates>& corners);
     void join(lattice::NodeId from, lattice::NodeId to);
-    /// Joins a start and a goal off the lattice that are less than a step apart: no detour over a corner.
+    [[nodiscard]] double motionCost(lattice::NodeId from, lattice::NodeId to) const;
+    /// Joins a start and a goal off the lattice that share a node next to them: no detour over it.
     void joinNeighbours(lattice::NodeId start, lattice::NodeId goal);
     /// Order of nodes that does not depend on when they were first touched.
     [[nodiscard]] bool comesBefore(lattice::NodeId node, lattice::NodeId other) const;
-    [[nodiscard]] double distanceToGoal(const ompl::base::State* state) const;
 
     const ompl::base::SpaceInformation& si_;
     ompl::base::OptimizationObjectivePtr objective_;
     PlannerSettings settings_;
-    RealVectorEmbedding embedding_;
-    lattice::Lattice lattice_;
-    std::optional<ObjectiveCost> motionCost_;  ///< empty for path length
+    bool discreteMotions_;
+    Embedding embedding_;
+    mutable lattice::Lattice lattice_;     ///< looking at motions makes their nodes
+    std::optional<ObjectiveCosts> costs_;  ///< empty for path length
+    StateHandle from_;                     ///< scratch of motionCost()
+    StateHandle to_;                       ///< scratch of motionCost()
     validity::Broker broker_;
     std::unique_ptr<speculation::Predictor> predictor_;
     bool speculates_ = false;
-    lattice::GridHeuristic gridHeuristic_;
-    ObjectiveHeuristic objectiveHeuristic_;
+    GoalHeuristic heuristic_;
+    ompl::base::GoalPtr goal_;
+    bool region_ = false;
     std::unique_ptr<search::AStar> search_;
     std::unique_ptr<speculation::Policy> policy_;  ///< of this search
+    std::vector<StateHandle> startStates_;
     std::vector<StateHandle> goalStates_;
     std::vector<lattice::NodeId> startNodes_;
     std::vector<lattice::NodeId> goalNodes_;
+    std::vector<StateHandle> terminalStates_;
+    std::vector<lattice::NodeId> terminals_;
 };
 }  // namespace specplan::planner

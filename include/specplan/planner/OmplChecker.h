@@ -7,7 +7,8 @@
 
 #include <ompl/base/SpaceInformation.h>
 
-#include "specplan/planner/RealVectorEmbedding.h"
+#include "specplan/planner/Embedding.h"
+#include "specplan/planner/ObjectiveCosts.h"
 #include "specplan/planner/SpeculativeAStar.h"
 #include "specplan/validity/Checker.h"
 
@@ -15,9 +16,10 @@ namespace specplan::planner
 {
 /// Answers checks through OMPL's state validity checkers and motion validators.
 ///
-/// OMPL's DiscreteMotionValidator counts its calls in plain integers, which is a data race when two threads use it. It
-/// is replaced by the same test: both ends, then the inner states of StateSpace::validSegmentCount(). Any other motion
-/// validator is called as it is: each worker's own if there is one, otherwise the shared one by one thread at a time.
+/// OMPL's DiscreteMotionValidator, and those for Dubins and Reeds-Shepp cars, count their calls in plain integers,
+/// which is a data race when two threads use them. They are replaced by the same test: the inner states of
+/// Embedding::segments(). Any other motion validator is called as it is: each worker's own if there is one, otherwise
+/// the shared one by one thread at a time. A motion that is valid also gets its cost, where an objective tells it.
 ///
 /// A fresh state is made for each check: no two threads hold the same one, and checkers that keep notes in a state (as
 /// MoveIt's does) never find an old one.
@@ -36,7 +38,8 @@ public:
     explicit OmplChecker(const ompl::base::SpaceInformation& si, unsigned workers);
 
     /// Checks for this lattice from now on; all of it must outlive the checks.
-    void open(const lattice::Lattice& lattice, const RealVectorEmbedding& embedding, Sources sources);
+    /// \param costs of an objective; nullptr for path length.
+    void open(const lattice::Lattice& lattice, const Embedding& embedding, Sources sources, ObjectiveCosts* costs);
 
     bool check(validity::CheckId check, unsigned worker) override;
 
@@ -60,19 +63,21 @@ private:
     };
 
     [[nodiscard]] bool checkState(lattice::NodeId node, unsigned worker);
-    [[nodiscard]] bool checkMotion(const lattice::Lattice::Motion& motion, unsigned worker);
+    [[nodiscard]] bool checkMotion(lattice::MotionId id, unsigned worker);
+    [[nodiscard]] bool askValidator(const ompl::base::State* from, const ompl::base::State* to, unsigned worker);
     [[nodiscard]] bool checkInside(const ompl::base::State* from, const ompl::base::State* to, unsigned worker);
     [[nodiscard]] const ompl::base::StateValidityChecker& checkerOf(unsigned worker) const noexcept;
 
     const ompl::base::SpaceInformation& si_;
     const lattice::Lattice* lattice_ = nullptr;
-    const RealVectorEmbedding* embedding_ = nullptr;
+    const Embedding* embedding_ = nullptr;
+    ObjectiveCosts* costs_ = nullptr;
     Sources sources_;
     bool discrete_ = true;
     std::mutex sharedValidator_;  ///< held while the shared motion validator runs
     std::vector<Scratch> scratch_;
 };
 
-/// Whether a motion validator is exactly OMPL's discrete one.
+/// Whether a motion validator is exactly one of OMPL's that look at states one after the other.
 [[nodiscard]] bool isDiscreteMotionValidator(const ompl::base::MotionValidator& validator);
 }  // namespace specplan::planner

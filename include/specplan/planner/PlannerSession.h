@@ -29,15 +29,14 @@ struct Origins
     std::weak_ptr<const void> checker;
     std::weak_ptr<const void> motionValidator;
     std::weak_ptr<const void> objective;
-    std::vector<double> bounds;
-    double segment = 0.0;
+    std::vector<double> space;  ///< bounds, weights and validity resolution
 
     [[nodiscard]] bool same(const Origins& other) const
     {
         const auto equal = [](const std::weak_ptr<const void>& a, const std::weak_ptr<const void>& b)
         { return !a.owner_before(b) && !b.owner_before(a); };
         return equal(checker, other.checker) && equal(motionValidator, other.motionValidator) &&
-               equal(objective, other.objective) && bounds == other.bounds && segment == other.segment;
+               equal(objective, other.objective) && space == other.space;
     }
 };
 
@@ -58,24 +57,24 @@ public:
     {
     }
 
+    /// Forgets everything but the settings.
     void reset();
-    void ensureExecutor();
-    [[nodiscard]] Origins currentOrigins(const ompl::base::ProblemDefinition& pdef) const;
-    [[nodiscard]] OmplChecker::Sources makeSources() const;
+
+    /// Forgets starts, goals and solutions; verdicts stay as long as checker and space stay.
+    void resetQuery();
+
+    /// Makes lattice, starts and goals ready for a search.
+    /// \return a status if there is nothing to search.
     [[nodiscard]] std::optional<ompl::base::PlannerStatus> openQuery(
         ompl::base::PlannerInputStates& inputs, const ompl::base::ProblemDefinition& pdef,
         const ompl::base::PlannerTerminationCondition& ptc);
-    bool takeStarts(ompl::base::PlannerInputStates& inputs, const ompl::base::ProblemDefinition& pdef);
-    bool takeGoals(ompl::base::PlannerInputStates& inputs, const ompl::base::Goal& goal,
-                   const ompl::base::PlannerTerminationCondition& ptc);
-    void publishCounts();
-    [[nodiscard]] search::SearchStatus search(const ompl::base::PlannerTerminationCondition& ptc);
-    [[nodiscard]] std::shared_ptr<ompl::geometric::PathGeometric> pathTo(lattice::NodeId node) const;
+
+    /// Searches, and goes on with smaller weights and finer lattices where that is wanted; tells OMPL what it finds.
+    [[nodiscard]] ompl::base::PlannerStatus solve(ompl::base::PlannerInputStates& inputs,
+                                                  const ompl::base::PlannerTerminationCondition& ptc,
+                                                  ompl::base::Planner& planner);
+
     void fillReport();
-    /// Tells OMPL how the search ended: solution path, intermediate callback, status.
-    [[nodiscard]] ompl::base::PlannerStatus publish(search::SearchStatus end, ompl::base::Planner& planner);
-    void publishSolution(ompl::base::Planner& planner);
-    [[nodiscard]] bool publishApproximation(ompl::base::Planner& planner) const;
     [[nodiscard]] ompl::base::PlannerStatus crash(const std::string& message, const std::string& name);
 
     const ompl::base::SpaceInformationPtr si;
@@ -95,8 +94,43 @@ public:
 
     mutable std::unordered_map<lattice::NodeId, StateHandle> dataStates;  ///< states handed out by getPlannerData
     SearchReport report;
-    bool published = false;      ///< the solution has been given to OMPL
-    double clockInSearch = 0.0;  ///< seconds on the executor's clock spent in run()
     Live live;
+
+private:
+    /// The searches of a query before the current one.
+    struct Past
+    {
+        std::uint64_t expansions = 0;
+        std::uint64_t orderHash = 0;
+    };
+
+    void ensureExecutor();
+    [[nodiscard]] Origins currentOrigins(const ompl::base::ProblemDefinition& pdef) const;
+    [[nodiscard]] OmplChecker::Sources makeSources() const;
+    bool takeStarts(ompl::base::PlannerInputStates& inputs, const ompl::base::ProblemDefinition& pdef);
+    bool takeGoals(ompl::base::PlannerInputStates& inputs, const ompl::base::Goal& goal,
+                   const ompl::base::PlannerTerminationCondition* ptc);
+    [[nodiscard]] bool moreGoals(const ompl::base::PlannerInputStates& inputs, const ompl::base::Goal& goal) const;
+    void publishCounts();
+    [[nodiscard]] search::SearchStatus search(ompl::base::PlannerInputStates& inputs, const ompl::base::Goal& goal,
+                                              const ompl::base::PlannerTerminationCondition& ptc);
+    void beginSearch();
+    [[nodiscard]] bool beginBetterSearch(const ompl::base::ProblemDefinition& pdef);
+    [[nodiscard]] bool refine();
+    [[nodiscard]] std::shared_ptr<ompl::geometric::PathGeometric> pathTo(lattice::NodeId node) const;
+    void takeSolution(ompl::base::Planner& planner);
+    void publishSolution(ompl::base::Planner& planner) const;
+    [[nodiscard]] bool publishApproximation(ompl::base::Planner& planner) const;
+    [[nodiscard]] std::uint64_t expansions() const;
+    [[nodiscard]] std::uint64_t orderHash() const;
+
+    double weight_ = 1.0;  ///< of the current search
+    double bound_ = std::numeric_limits<double>::quiet_NaN();
+    unsigned refinements_ = 0;
+    bool finished_ = false;  ///< nothing is left to be improved
+    std::optional<ompl::base::Cost> bestCost_;
+    std::shared_ptr<ompl::geometric::PathGeometric> bestPath_;
+    Past past_;
+    double clockInSearch_ = 0.0;  ///< seconds on the executor's clock spent in run()
 };
 }  // namespace specplan::planner

@@ -32,23 +32,34 @@ struct PlannerSettings
     /// Whether every wait lasts until all running checks are back, as in the paper (`barrier`). For reproduction only.
     bool barrier = false;
 
-    /// Weight of the heuristic (`weight`), 1 to 1e9: the cost is at most this many times the lattice optimum.
-    double weight = 1.0;
+    /// Weight of the heuristic (`weight`), 1 to 1e9: the cost is at most this many times the lattice optimum. 0
+    /// chooses: 1 up to four axes, 3 above. Of no effect where the objective does not add up costs.
+    double weight = 0.0;
 
-    /// Lattice spacing as a fraction of the extent of each axis (`resolution`), 1e-6 to 1; 0 chooses by dimension.
+    /// Whether to go on while there is time (`anytime`): with smaller weights, then on finer lattices. Better paths are
+    /// looked for where the problem definition has an objective; any path at all where the first lattice has none.
+    bool anytime = true;
+
+    /// Lattice spacing as a fraction of the extent of each axis (`resolution`), 1e-6 to 1; 0 chooses by dimension. A
+    /// lattice that was asked for is never refined.
     double resolution = 0.0;
 
-    /// Lattice spacing in the units of the axes (`spacing`: numbers separated by commas, one for all axes or one for
-    /// each), greater than 0. Empty: `resolution` decides.
+    /// Lattice spacing in the units of the axes (`spacing`: numbers separated by commas, one for all axes but angles
+    /// beside others, or one for each), greater than 0. Empty: `resolution` decides.
     std::vector<double> spacing;
 
-    /// How many axes may change in one step (`connectivity`), 1 to the dimension; 0 chooses: all up to three
-    /// dimensions, two above.
+    /// How many axes may change in one step (`connectivity`), 1 to the number of axes; 0 chooses: all up to three axes,
+    /// two above; parts of a compound space one at a time.
     unsigned connectivity = 0;
 
     /// Whether a step along several axes may pass an invalid corner (`corner_cutting`). If not, the states at all
-    /// corners of the box that the step spans have to be valid.
+    /// corners of the box that the step spans have to be valid; for RealVectorStateSpaces.
     bool cornerCutting = true;
+
+    /// Whether the checks of motions compute their costs where the objective is not path length
+    /// (`objective_in_checks`): an objective may look at every state on the way. If not, the search does: for
+    /// objectives that cost nothing.
+    bool objectiveInChecks = true;
 
     /// Who runs the checks (`executor`): "threads", or "virtual" for simulated time.
     std::string executor = "threads";

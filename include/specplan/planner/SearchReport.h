@@ -15,9 +15,12 @@ struct SearchReport
     std::string status = "not started";
     std::string error;  ///< what the failing check said, if status is "crash"
 
-    double cost = 0.0;                      ///< of the solution; NaN without one
-    std::uint64_t expansions = 0;           ///< the goal's own included
-    std::uint64_t checksUsed = 0;           ///< different checks whose verdict the search needed
+    double cost = 0.0;             ///< of the solution; NaN without one
+    double bound = 0.0;            ///< the cost is at most this many times the optimum of the lattice; NaN without one
+    unsigned refinements = 0;      ///< how often the lattice's spacing was halved
+    std::uint64_t expansions = 0;  ///< the goal's own included
+    std::uint64_t checksUsed = 0;  ///< different checks whose verdict the search needed
+    std::uint64_t checksReused = 0;         ///< different checks whose verdict was known from an earlier query
     std::uint64_t checksTotal = 0;          ///< checks run
     std::uint64_t demandedChecks = 0;       ///< of these, run because the search asked
     std::uint64_t speculativeChecks = 0;    ///< handed out ahead of demand

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,9 +30,12 @@ class PlannerSession;
 ///
 /// Reference: M. Bakhshalipour, M. Qadri, D. Guri, "Speculative Path Planning", arXiv:2102.06261.
 ///
-/// Assumptions: the state space is a RealVectorStateSpace with bounds. The goal is a state or a set of states. The
-/// lattice goes through the first start exactly; other starts, and goals that lie off the lattice, are joined to the
-/// corners of their cell by validated motions. The answer is optimal on this lattice (within `weight`).
+/// Assumptions: the state space has bounds. Any space that OMPL ships will do, combined in any way, and any other one
+/// whose values say all about a state (StateSpace::copyToReals); those constrained to a manifold will not. Any goal
+/// will do; states are joined to the lattice by validated motions, and regions are entered at lattice states. Any
+/// objective will do that prefers smaller or larger costs. The lattice goes through the first start exactly. The answer
+/// is optimal on this lattice (within `weight`); with time left and an objective in the problem definition, the planner
+/// goes on with smaller weights and finer lattices.
 ///
 /// Threads: the planner's members are for one thread at a time. During solve() the state validity checker is called
 /// from up to `num_threads` threads, as OMPL asks of checkers; give one for each worker with
@@ -58,12 +62,26 @@ public:
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
     using ompl::base::Planner::solve;
 
+    /// Forgets everything but the settings.
     void clear() override;
+
+    /// Forgets starts, goals and solutions. What is known of states and motions stays for the next query, as long as
+    /// checker, motion validator, objective and space stay what they are.
     void clearQuery() override;
+
+    /// Forgets what is known of states and motions: to be called when the world has changed behind the same checker.
+    /// The next solve() starts afresh.
+    void forgetVerdicts();
+
     void setup() override;
 
-    /// \throws ompl::Exception if the space is not a bounded RealVectorStateSpace, or the settings do not fit it.
+    /// \throws ompl::Exception if there is no lattice over the space.
     void checkValidity() override;
+
+    /// A dry run: tells which lattice would be searched - its axes, steps, size, the checks that motions need, how the
+    /// goal is reached. Checks no more than starts and goals. Needs a problem definition, as solve() does.
+    /// \throws ompl::Exception as checkValidity() does, and if the settings do not fit the space.
+    void explain(std::ostream& out);
 
     void getPlannerData(ompl::base::PlannerData& data) const override;
 

@@ -36,10 +36,10 @@ enum class SearchStatus
 /// Reference: Hart, Nilsson, Raphael 1968 (A*); Pohl 1970 (weights). The numbers in the comments of the body are those
 /// of docs/algorithm.md.
 ///
-/// Holds between calls: the heuristic is constant, or `heuristicChanged` was called. Closed nodes are never opened again,
-/// which with a consistent heuristic keeps the cost within `weight` times the optimum (Likhachev, Gordon, Thrun 2003);
-/// `setReopening` opens them again, for heuristics that are admissible only. OPEN is totally ordered: smaller
-/// f = g + weight h first, then larger g, then older entry (an improved node counts as a new entry). Costs are put
+/// Holds between calls: the heuristic is constant, or `heuristicChanged` was called. Closed nodes are never opened
+/// again, which with a consistent heuristic keeps the cost within `weight` times the optimum (Likhachev, Gordon, Thrun
+/// 2003); `setReopening` opens them again, for heuristics that are admissible only. OPEN is totally ordered: smaller f
+/// = g + weight h first, then larger g, then older entry (an improved node counts as a new entry). Costs are put
 /// together by a CostAlgebra where they do not add up; the weight is 1 then.
 ///
 /// Threads: one, the search thread.

@@ -63,14 +63,17 @@ public:
         return table_.verdict(check);
     }
 
-    /// Whether the search has asked for this verdict and got it.
+    /// Whether the search of this query has asked for this verdict and got it.
     [[nodiscard]] bool isUsed(CheckId check) const noexcept
     {
-        return table_.isUsed(check);
+        return table_.usedIn(check) == query_;
     }
 
     /// Enters a verdict that is known from elsewhere.
     void setVerdict(CheckId check, bool valid);
+
+    /// Begins another query over the same verdicts: statistics count from 0 again. To be called when settled.
+    void beginQuery();
 
     /// Drops what has not started, waits until nothing runs, and forgets failures.
     void settle();
@@ -107,6 +110,10 @@ private:
     void tellSource();
     void record(Completion& completion);
     void noteUse(Entry& entry);
+    [[nodiscard]] bool isUsed(const Entry& entry) const noexcept
+    {
+        return entry.usedIn == query_;
+    }
     [[noreturn]] void rethrow(CheckId check);
 
     Executor& executor_;
@@ -116,6 +123,7 @@ private:
     bool sawInvalid_ = false;    ///< since queued checks were last looked through
     std::function<bool()> interrupt_;
     VerdictTable table_;
+    std::uint16_t query_ = 1;
     std::array<CostMeter, 2> cost_;                 ///< of states and of motions, which cost different amounts
     std::map<CheckId, std::exception_ptr> errors_;  ///< of the entries marked failed
     std::vector<CheckId> missing_;                  ///< asked for and not known, in order

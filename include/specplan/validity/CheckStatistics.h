@@ -10,9 +10,10 @@ namespace specplan::validity
 ///   checksUsed        = usedReady + usedAfterWait + usedInline
 struct CheckStatistics
 {
-    std::uint64_t checksUsed = 0;          ///< different checks whose verdict the search has asked for
-    std::uint64_t checksRun = 0;           ///< checks that were run, needed or not
-    std::uint64_t demandedChecks = 0;      ///< checks run because the search asked
+    std::uint64_t checksUsed = 0;      ///< different checks whose verdict the search has asked for
+    std::uint64_t checksReused = 0;    ///< verdicts of earlier queries that the search has asked for; not in checksUsed
+    std::uint64_t checksRun = 0;       ///< checks that were run, needed or not
+    std::uint64_t demandedChecks = 0;  ///< checks run because the search asked
     std::uint64_t speculativeChecks = 0;   ///< checks handed out ahead of demand
     std::uint64_t speculativeUsed = 0;     ///< of these, used later
     std::uint64_t speculativeReady = 0;    ///< of these, finished when the search first asked

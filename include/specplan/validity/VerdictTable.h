@@ -18,12 +18,13 @@ public:
     struct Entry
     {
         Verdict verdict = Verdict::Unknown;
-        bool speculative = false;  ///< was run ahead of demand
-        bool used = false;         ///< the search has asked for it
-        bool awaited = false;      ///< the search is waiting for it right now
-        bool failed = false;       ///< the check threw; the verdict stays Unknown
-        bool reported = false;     ///< what it threw has been passed on
-        float seconds = 0.0F;      ///< duration of the check
+        bool speculative : 1 = false;  ///< was run ahead of demand
+        bool awaited : 1 = false;      ///< the search is waiting for it right now
+        bool failed : 1 = false;       ///< the check threw; the verdict stays Unknown
+        bool reported : 1 = false;     ///< what it threw has been passed on
+        std::uint16_t usedIn = 0;      ///< last query whose search has asked for it; 0: none
+        std::uint16_t foundIn = 0;     ///< query in which the verdict came in
+        float seconds = 0.0F;          ///< duration of the check
     };
 
     /// The entry of a check, made on first touch.
@@ -42,10 +43,11 @@ public:
         return entry != nullptr ? entry->verdict : Verdict::Unknown;
     }
 
-    [[nodiscard]] bool isUsed(lattice::CheckId check) const noexcept
+    /// Last query whose search has asked for the verdict; 0: none.
+    [[nodiscard]] std::uint16_t usedIn(lattice::CheckId check) const noexcept
     {
         const Entry* entry = find(check);
-        return entry != nullptr && entry->used;
+        return entry != nullptr ? entry->usedIn : 0;
     }
 
 private:

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "specplan/planner/PlannerSettings.h"
+#include "specplan/planner/spaces/Component.h"
+#include "specplan/planner/spaces/Decomposition.h"
+
+namespace specplan::planner
+{
+/// The lattices over the parts of a space, and what is common to them.
+struct Components
+{
+    std::vector<std::unique_ptr<Component>> all;  ///< one for each part
+    unsigned axes = 0;                            ///< degrees of freedom; a rotation in space has three
+    unsigned connectivity = 0;                    ///< axes that steps of several components may change together
+};
+
+/// Makes the components, with a lattice that goes through `origin`.
+///
+/// Without a resolution the space gets about 60000 nodes, but at least 20 and at most 100 steps along an axis; angles
+/// beside other axes get 16, and rotations the 40 that are 90 degrees apart. That lattice can be refined; one that was
+/// asked for cannot.
+///
+/// \throws ompl::Exception where an axis has no bounds, or the settings do not fit the space.
+[[nodiscard]] Components makeComponents(const Decomposition& decomposition, const PlannerSettings& settings,
+                                        const ompl::base::State* origin);
+}  // namespace specplan::planner

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "specplan/planner/spaces/Decomposition.h"
+
+#include <typeindex>
+#include <typeinfo>
+
+#include <ompl/base/spaces/DiscreteStateSpace.h>
+#include <ompl/base/spaces/DubinsStateSpace.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
+#include <ompl/base/spaces/TimeStateSpace.h>
+#include <ompl/base/spaces/WrapperStateSpace.h>
+#include <ompl/util/Exception.h>
+
+namespace specplan::planner
+{
+namespace ob = ompl::base;
+
+namespace
+{
+/// Whether OMPL itself says how the space measures distances, so that nothing is overridden.
+bool isOmpls(const ob::StateSpace& space)
+{
+    const std::type_index type(typeid(space));
+    return type == typeid(ob::RealVectorStateSpace) || type == typeid(ob::SO2StateSpace) ||
+           type == typeid(ob::SO3StateSpace) || type == typeid(ob::TimeStateSpace) ||
+           type == typeid(ob::DiscreteStateSpace) || type == typeid(ob::CompoundStateSpace) ||
+           type == typeid(ob::SE2StateSpace) || type == typeid(ob::SE3StateSpace) ||
+           type == typeid(ob::DubinsStateSpace) || type == typeid(ob::ReedsSheppStateSpace);
+}
+
+void takeApart(const ob::StateSpacePtr& space, const std::vector<unsigned>& path, double weight, Decomposition& out)
+{
+    if (dynamic_cast<const ob::WrapperStateSpace*>(space.get()) != nullptr)
+        throw ompl::Exception(
+            "the state space '" + space->getName() +
+            "' is constrained to a manifold, over which there is no lattice: plan in coordinates of "
+            "the manifold (angles on a sphere, joints of a closed chain), or with a sampling planner");
+    out.sumsDistances = out.sumsDistances && isOmpls(*space);
+    const auto* compound = dynamic_cast<const ob::CompoundStateSpace*>(space.get());
+    if (compound == nullptr || isCar(*space))
+    {
+        out.parts.push_back({space, path, weight});
+        return;
+    }
+    for (unsigned i = 0; i < compound->getSubspaceCount(); ++i)
+    {
+        std::vector<unsigned> longer = path;
+        longer.push_back(i);
+        takeApart(compound->getSubspace(i), longer, weight * compound->getSubspaceWeight(i), out);
+    }
+}
+}  // namespace
+
+bool isCar(const ob::StateSpace& space)
+{
+    return dynamic_cast<const ob::DubinsStateSpace*>(&space) != nullptr ||
+           dynamic_cast<const ob::ReedsSheppStateSpace*>(&space) != nullptr;
+}
+
+ob::State* Part::of(ob::State* whole) const
+{
+    for (const unsigned i : path)
+        whole = whole->as<ob::CompoundState>()->components[i];
+    return whole;
+}
+
+const ob::State* Part::of(const ob::State* whole) const
+{
+    for (const unsigned i : path)
+        whole = whole->as<ob::CompoundState>()->components[i];
+    return whole;
+}
+
+Decomposition decompose(const ob::StateSpacePtr& space)
+{
+    Decomposition decomposition;
+    takeApart(space, {}, 1.0, decomposition);
+    return decomposition;
+}
+}  // namespace specplan::planner
