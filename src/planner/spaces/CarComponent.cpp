@@ -22,7 +22,7 @@ constexpr double kHeadingStep = 2.0 * std::numbers::pi / CarComponent::kHeadings
 /// A state off the lattice is joined to this many nodes.
 constexpr std::size_t kMaxCorners = 64;
 /// Curves longer than this many times the straight distance make a loop.
-constexpr double kLoop = 1.3;
+constexpr double kLoop = 1.15;
 
 void setPose(ob::State* state, double x, double y, double yaw)
 {
@@ -59,7 +59,7 @@ CarComponent::CarComponent(ob::StateSpacePtr space, std::string name, double spa
 /// Steps that a motion may lead away along an axis: far enough to turn by one heading.
 Coordinate CarComponent::reach() const
 {
-    return static_cast<Coordinate>(std::clamp(std::ceil(2.0 * turn_ / (unit_ * stride_)), 3.0, 8.0));
+    return static_cast<Coordinate>(std::clamp(std::ceil(3.0 * turn_ / (unit_ * stride_)), 3.0, 12.0));
 }
 
 CarComponent::Primitives CarComponent::makePrimitives() const

@@ -19,7 +19,7 @@ using lattice::Coordinate;
 namespace
 {
 /// A motion is left out if two others make the same way at no more than this times its length.
-constexpr double kSameLength = 1.05;
+constexpr double kSameLength = 1.1;
 
 /// The same motion, a quarter turn further.
 CarMotion turned(const CarMotion& motion, Coordinate headings)

@@ -189,7 +189,7 @@ void chooseSpacings(std::vector<Draft>& drafts, const PlannerSettings& settings)
         }
 }
 
-/// Spacing of a car's places: two steps an arc from one heading to the next, unless the plane is too small or large.
+/// Spacing of a car's places: the arc from one heading to the next, unless the plane is too small or large.
 double carSpacing(const Draft& draft, const PlannerSettings& settings)
 {
     if (settings.spacing.size() == 1)
@@ -197,7 +197,7 @@ double carSpacing(const Draft& draft, const PlannerSettings& settings)
     if (settings.resolution > 0.0)
         return draft.extent * settings.resolution;
     const double arc = turningRadius(*draft.part->space) * 2.0 * std::numbers::pi / CarComponent::kHeadings;
-    return std::clamp(arc / 2.0, draft.extent / 200.0, draft.extent / 20.0);
+    return std::clamp(arc, draft.extent / 200.0, draft.extent / 20.0);
 }
 
 lattice::Coordinate rotationCells(const Draft&, const PlannerSettings& settings, bool alone)
