@@ -28,7 +28,8 @@ namespace
 {
 constexpr double kAutomaticNodes = 60000.0;
 constexpr double kFewestCells = 20.0;
-constexpr double kMostCells = 100.0;
+/// A diagonal step is then just shorter than OMPL's default validity resolution, one percent of the extent.
+constexpr double kMostCells = 101.0;
 constexpr double kAngleCells = 16.0;
 constexpr double kRotations = 40.0;
 constexpr double kUnboundedSteps = 1 << 20;

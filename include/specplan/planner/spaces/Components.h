@@ -20,7 +20,7 @@ struct Components
 
 /// Makes the components, with a lattice that goes through `origin`.
 ///
-/// Without a resolution the space gets about 60000 nodes, but at least 20 and at most 100 steps along an axis; angles
+/// Without a resolution the space gets about 60000 nodes, but at least 20 and at most 101 steps along an axis; angles
 /// beside other axes get 16, and rotations the 40 that are 90 degrees apart. That lattice can be refined; one that was
 /// asked for cannot.
 ///

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What goes on after the first solution, and what stays known after a query.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include <ompl/base/ConstrainedSpaceInformation.h>
+#include <ompl/base/Constraint.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/constraint/ProjectedStateSpace.h>
+
+#include "Scene.h"
+
+namespace specplan::test
+{
+namespace
+{
+/// Stops after so many evaluations of the condition, which is once for each expansion.
+ob::PlannerTerminationCondition afterEvaluations(unsigned count)
+{
+    return ob::PlannerTerminationCondition([count, asked = 0U]() mutable { return ++asked > count; });
+}
+
+void askForLength(Scene& scene)
+{
+    scene.setup.setOptimizationObjective(
+        std::make_shared<ob::PathLengthOptimizationObjective>(scene.setup.getSpaceInformation()));
+}
+
+TEST(Anytime, WeightsShrinkAndTheLatticeIsRefinedWhileThereIsTime)
+{
+    Scene scene;
+    PlannerSettings settings = settingsFor(2, "runahead");
+    settings.weight = 8.0;
+    askForLength(scene);
+    scene.plan(settings);
+    std::vector<double> costs;
+    scene.setup.getProblemDefinition()->setIntermediateSolutionCallback(
+        [&](const ob::Planner*, const std::vector<const ob::State*>& states, const ob::Cost cost)
+        {
+            EXPECT_EQ(scene.values(states.front()), scene.start[0]);
+            EXPECT_EQ(scene.values(states.back()), scene.goals[0]);
+            costs.push_back(cost.value());
+        });
+    ASSERT_EQ(scene.solve(afterEvaluations(60000)), ob::PlannerStatus::EXACT_SOLUTION);
+    ASSERT_GE(costs.size(), 3U);
+    for (std::size_t i = 1; i < costs.size(); ++i)
+        EXPECT_LT(costs[i], costs[i - 1]);
+    const SearchReport& report = scene.planner->getReport();
+    EXPECT_EQ(report.bound, 1.0);
+    EXPECT_GE(report.refinements, 1U);
+    EXPECT_EQ(report.cost, costs.back());
+    EXPECT_NEAR(scene.path().length(), costs.back(), 1e-9);
+    EXPECT_TRUE(scene.path().check());
+}
+
+TEST(Anytime, VerdictsStayFromOneLatticeToTheNext)
+{
+    Scene scene;
+    PlannerSettings settings = settingsFor(1);
+    askForLength(scene);
+    scene.plan(settings);
+    scene.freeze();
+    scene.calls = 0;
+    ASSERT_EQ(scene.solve(afterEvaluations(30000)), ob::PlannerStatus::EXACT_SOLUTION);
+    const SearchReport& report = scene.planner->getReport();
+    ASSERT_GE(report.refinements, 1U);
+    // Each check ran once; a motion of a fine lattice has no states inside.
+    EXPECT_EQ(report.checksTotal, report.checksUsed - report.usedReady);
+    EXPECT_EQ(scene.callsOutside, 0);
+}
+
+TEST(Anytime, StopsWhereTheObjectiveIsSatisfiedOrNobodyAskedForMore)
+{
+    Scene plain;
+    plain.plan(settingsFor(1));
+    ASSERT_EQ(plain.solve(ob::plannerNonTerminatingCondition()), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_EQ(plain.planner->getReport().refinements, 0U);
+
+    Scene satisfied;
+    askForLength(satisfied);
+    satisfied.setup.getOptimizationObjective()->setCostThreshold(ob::Cost(100.0));
+    satisfied.plan(settingsFor(1));
+    ASSERT_EQ(satisfied.solve(ob::plannerNonTerminatingCondition()), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_EQ(satisfied.planner->getReport().refinements, 0U);
+
+    Scene off;
+    askForLength(off);
+    PlannerSettings settings = settingsFor(1);
+    settings.anytime = false;
+    off.plan(settings);
+    ASSERT_EQ(off.solve(ob::plannerNonTerminatingCondition()), ob::PlannerStatus::EXACT_SOLUTION);
+}
+
+TEST(Anytime, APassageNarrowerThanTheFirstLatticeIsFoundOnAFinerOne)
+{
+    // A slit between two lines of the first lattice, and a validity resolution that sees it.
+    Scene scene;
+    scene.setup.getStateSpace()->setLongestValidSegmentFraction(0.001);
+    scene.setup.setStateValidityChecker(
+        [&](const ob::State* state)
+        {
+            const double* x = state->as<ob::RealVectorStateSpace::StateType>()->values;
+            return std::abs(x[0] - 0.5) > 0.05 || std::abs(x[1] - 0.3055) < 0.002;
+        });
+    scene.plan(settingsFor(2, "runahead"));
+    ASSERT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_GE(scene.planner->getReport().refinements, 1U);
+    EXPECT_TRUE(scene.path().check());
+
+    PlannerSettings once = settingsFor(2, "runahead");
+    once.anytime = false;
+    scene.plan(once);
+    EXPECT_NE(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+}
+
+class Queries : public testing::TestWithParam<unsigned>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Threads, Queries, testing::Values(1U, 4U));
+
+TEST_P(Queries, TheSecondOnePaysForWhatIsNewOnly)
+{
+    Scene scene;
+    PlannerSettings settings = settingsFor(GetParam(), "none");
+    settings.resolution = 0.02;
+    scene.plan(settings);
+    ASSERT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+    const SearchReport first = scene.planner->getReport();
+    EXPECT_EQ(first.checksReused, 0U);
+
+    scene.planner->clearQuery();
+    scene.setup.getProblemDefinition()->clearSolutionPaths();
+    ASSERT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+    const SearchReport same = scene.planner->getReport();
+    EXPECT_EQ(same.checksTotal, 0U);
+    EXPECT_EQ(same.orderHash, first.orderHash);
+    EXPECT_EQ(same.cost, first.cost);
+    EXPECT_GT(same.checksReused, 0U);
+
+    // Another start on the same lattice: the answer of a planner that starts from nothing, for fewer checks.
+    scene.setup.getProblemDefinition()->clearSolutionPaths();
+    scene.setup.clearStartStates();
+    scene.setup.addStartState(scene.state({0.2, 0.1}));
+    scene.planner->clearQuery();
+    ASSERT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+    const SearchReport moved = scene.planner->getReport();
+    EXPECT_GT(moved.checksReused, 1000U);
+    EXPECT_TRUE(scene.path().check());
+    scene.planner->clear();
+    ASSERT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_LT(moved.checksTotal + 1000, scene.planner->getReport().checksTotal);
+}
+
+TEST_P(Queries, ClearAForgetCallAndANewCheckerForgetVerdicts)
+{
+    Scene scene;
+    scene.plan(settingsFor(GetParam()));
+    ASSERT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+    const auto again = [&]
+    {
+        scene.setup.getProblemDefinition()->clearSolutionPaths();
+        EXPECT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_GT(scene.planner->getReport().checksTotal, 0U);
+        EXPECT_EQ(scene.planner->getReport().checksReused, 0U);
+    };
+    scene.planner->clear();
+    again();
+    scene.planner->forgetVerdicts();
+    again();
+    scene.planner->clearQuery();
+    scene.setup.setStateValidityChecker([&scene](const ob::State* state) { return scene.isValid(state); });
+    again();
+}
+
+TEST(Explain, TellsTheLatticeWithoutSearchingIt)
+{
+    Scene scene;
+    scene.plan(settingsFor(2));
+    scene.calls = 0;
+    std::ostringstream out;
+    scene.planner->explain(out);
+    EXPECT_LE(scene.calls, 4);
+    EXPECT_NE(out.str().find("axis 0: 0 to 1, 101 values, spacing 0.00990099"), std::string::npos) << out.str();
+    EXPECT_NE(out.str().find("8 motions"), std::string::npos) << out.str();
+    EXPECT_NE(out.str().find("Goals: 1 states"), std::string::npos) << out.str();
+    // Nothing is lost: the search goes on from here.
+    EXPECT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+}
+
+/// The unit sphere.
+class Sphere : public ob::Constraint
+{
+public:
+    Sphere() : ob::Constraint(3, 1)
+    {
+    }
+
+    void function(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> out) const override
+    {
+        out[0] = x.norm() - 1.0;
+    }
+};
+
+TEST(Spaces, ConstrainedOnesAreRefusedWithTheReason)
+{
+    auto ambient = std::make_shared<ob::RealVectorStateSpace>(3);
+    ambient->setBounds(-2.0, 2.0);
+    auto space = std::make_shared<ob::ProjectedStateSpace>(ambient, std::make_shared<Sphere>());
+    auto si = std::make_shared<ob::ConstrainedSpaceInformation>(space);
+    si->setStateValidityChecker([](const ob::State*) { return true; });
+    si->setup();
+    ob::ScopedState<> pole(space);
+    pole->as<ob::ConstrainedStateSpace::StateType>()->copy(Eigen::Vector3d(0.0, 0.0, 1.0));
+    auto pdef = std::make_shared<ob::ProblemDefinition>(si);
+    pdef->setStartAndGoalStates(pole, pole);
+    SpeculativeAStar planner(si);
+    planner.setProblemDefinition(pdef);
+    try
+    {
+        (void)planner.solve(0.1);
+        FAIL() << "not refused";
+    }
+    catch (const ompl::Exception& error)
+    {
+        EXPECT_NE(std::string(error.what()).find("constrained to a manifold"), std::string::npos) << error.what();
+    }
+}
+
+TEST(Heuristics, AUsersCostToGoCountsAndMayBeInconsistent)
+{
+    std::vector<double> costs;
+    std::vector<std::uint64_t> expansions;
+    for (const bool users : {false, true})
+    {
+        Scene scene;
+        askForLength(scene);
+        const auto goal = scene.state(scene.goals[0]);
+        if (users)  // knows that the gap is at the top; jumps where the wall begins
+            scene.setup.getOptimizationObjective()->setCostToGoHeuristic(
+                [&, goal](const ob::State* state, const ob::Goal*)
+                {
+                    const double* x = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                    const bool before = x[0] < 0.45 && x[1] < 0.8;
+                    return ob::Cost(before ? std::hypot(0.55 - x[0], 0.8 - x[1]) + 0.35
+                                           : scene.space->distance(state, goal.get()));
+                });
+        PlannerSettings settings = settingsFor(2, "runahead");
+        settings.anytime = false;
+        scene.plan(settings);
+        ASSERT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+        costs.push_back(scene.planner->getReport().cost);
+        expansions.push_back(scene.planner->getReport().expansions);
+    }
+    EXPECT_NEAR(costs[1], costs[0], 1e-9);
+    EXPECT_LT(expansions[1], expansions[0]);
+}
+}  // namespace
+}  // namespace specplan::test
