@@ -54,7 +54,8 @@ void GoalHeuristic::latticeChanged()
 
 bool GoalHeuristic::isConsistent() const
 {
-    return costs_ == nullptr && !asksObjective_ && embedding_.sumsDistances() && !measures_;
+    return costs_ == nullptr && !asksObjective_ && !measures_ &&
+           (embedding_.sumsDistances() || si_.getStateSpace()->isMetricSpace());
 }
 
 double GoalHeuristic::none() const

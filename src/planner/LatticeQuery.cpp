@@ -18,9 +18,14 @@ using validity::CheckId;
 
 namespace
 {
-/// Spaces of more axes than this are searched greedily where no weight was asked for.
-constexpr unsigned kMostAxesForOptimum = 4;
-constexpr double kGreedyWeight = 3.0;
+/// Weight by the number of axes, where none was asked for: the more there are, the less a lattice can be searched
+/// through.
+double automaticWeight(unsigned axes)
+{
+    if (axes <= 4)
+        return 1.0;
+    return axes <= 7 ? 3.0 : 5.0;
+}
 
 /// Bit by bit: a path has to end in the very state that was asked for.
 bool sameValues(const ob::StateSpace& space, const ob::State* a, const ob::State* b)
@@ -81,7 +86,7 @@ double LatticeQuery::firstWeight() const
 {
     if (settings_.weight > 0.0)
         return settings_.weight;
-    return embedding_.axes() <= kMostAxesForOptimum ? 1.0 : kGreedyWeight;
+    return automaticWeight(embedding_.axes());
 }
 
 void LatticeQuery::beginQuery()

@@ -5,8 +5,20 @@
 
 namespace specplan::speculation
 {
+namespace
+{
+/// With more neighbours than this, telling them all costs more than it is worth.
+constexpr std::uint32_t kMostNeighbours = 40;
+}  // namespace
+
+NearbyVerdicts::NearbyVerdicts(lattice::Lattice& lattice) : lattice_(lattice)
+{
+}
+
 void NearbyVerdicts::add(lattice::NodeId node, bool valid)
 {
+    if (lattice_.maxSteps() > kMostNeighbours)
+        return;
     lattice_.successors(node, neighbours_);
     if (counts_.size() < lattice_.size())
         counts_.resize(std::max(lattice_.size(), counts_.size() * 2));

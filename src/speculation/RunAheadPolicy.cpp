@@ -98,6 +98,7 @@ void RunAheadPolicy::importFrontier()
         Node& node = touch(entry.item);
         node.g = frontier_.costToCome(entry.item);
         node.parent = frontier_.parent(entry.item);
+        node.inner = Inner::None;  // its motion is known to be valid
         node.status = Status::Open;
         open_.push(entry.item, {entry.key.f, entry.key.g, pushes_++});
     }
@@ -175,6 +176,12 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
     noteStep(sum_(g, end.h) - estimateThrough(nodes_[from]));
     end.g = g;
     end.parent = from;
+    end.inner = edge.inner == 0 ? Inner::None : Inner::More;
+    if (edge.inner == 1 && successors_.innerOf(edge).front().isMotion())
+    {
+        end.inner = Inner::One;
+        end.motion = successors_.innerOf(edge).front();
+    }
     end.ofState = verdict == Verdict::Valid ? 1.0F : static_cast<float>(predictor_.probabilityValid(edge.node));
     end.ofMotion = static_cast<float>(ofMotion);
     end.probability = nodes_[from].probability * static_cast<double>(end.ofState * end.ofMotion);
@@ -261,7 +268,9 @@ void RunAheadPolicy::learned(CheckId check, bool valid)
         return;
     if (check.isMotion() && nodes_[id].parent != lattice_.motion(check.motion()).from)
         return;
-    if (!valid)
+    if (!valid && !check.isMotion() && nodes_[id].status == Status::Open)
+        forget(id);  // nothing hangs on it, and no other way leads to it
+    else if (!valid)
         retract(id);
     else if (check.isMotion())
         confirmMotion(id);
@@ -288,11 +297,15 @@ void RunAheadPolicy::confirmMotion(NodeId id)
 void RunAheadPolicy::emitMotionTo(NodeId id)
 {
     const NodeId parent = nodes_[id].parent;
-    if (parent == lattice::kNoNode)
+    if (parent == lattice::kNoNode || nodes_[id].inner == Inner::None)
         return;
+    if (nodes_[id].inner == Inner::One)
+    {
+        if (broker_.verdict(nodes_[id].motion) == Verdict::Unknown)
+            emit(nodes_[id].motion, parent);
+        return;
+    }
     lattice_.successors(parent, around_);
-    if (around_.inner.empty())
-        return;
     for (const lattice::Successors::Edge& edge : around_.edges)
         if (edge.node == id)
             for (const CheckId inner : around_.innerOf(edge))
@@ -324,6 +337,16 @@ void RunAheadPolicy::raise(NodeId root, double known)
     }
 }
 
+void RunAheadPolicy::forget(NodeId id)
+{
+    Node& node = nodes_[id];
+    if (node.status == Status::Open)
+        open_.erase(id);
+    node.status = Status::Unseen;
+    node.g = kUnreached;
+    node.parent = lattice::kNoNode;
+}
+
 /// Takes back everything that the shadow reached through the root, and joins it again to what borders on it.
 void RunAheadPolicy::retract(NodeId root)
 {
@@ -340,12 +363,7 @@ void RunAheadPolicy::retract(NodeId root)
             else if (isClosed(edge.node))
                 rim_.push_back(edge.node);
         }
-        Node& node = nodes_[id];
-        if (node.status == Status::Open)
-            open_.erase(id);
-        node.status = Status::Unseen;
-        node.g = kUnreached;
-        node.parent = lattice::kNoNode;
+        forget(id);
     }
     std::sort(rim_.begin(), rim_.end());
     rim_.erase(std::unique(rim_.begin(), rim_.end()), rim_.end());

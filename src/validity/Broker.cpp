@@ -12,6 +12,11 @@ namespace
 {
 /// How long a wait may last before the interrupt is asked again.
 constexpr std::chrono::milliseconds kPatience{50};
+/// Seconds of thinking after which the source is judged, and its rest as a multiple of them if it was in vain.
+constexpr double kTrial = 0.002;
+/// The source may take this much time for a second of checks.
+constexpr double kMostThinking = 0.5;
+constexpr double kRest = 10.0;
 }  // namespace
 
 bool Broker::demand(std::span<const CheckId> checks)
@@ -87,9 +92,9 @@ bool Broker::runHere()
 
 void Broker::recordHere(CheckId check, Entry& entry)
 {
-    if (sourceListens_ && cost_[0].isCheap() && source_ != nullptr)
+    if (sourceListens_ && allCheap() && source_ != nullptr)
     {
-        // States are cheap: telling the source everything would cost more than to check.
+        // Telling the source everything would cost more than to check.
         source_->missed();
         sourceListens_ = false;
     }
@@ -122,7 +127,7 @@ bool Broker::waitForMissing()
         }
     };
     const EndOfWait end{*this};
-    sourceListens_ = true;
+    sourceListens_ = sourcePaused_ == 0.0 || executor_.now() >= sourcePaused_;
     collect(std::chrono::milliseconds{0});
     submitMissing();
     if (awaited_ > 0)
@@ -199,12 +204,35 @@ void Broker::askSource()
         return;
     dropUnwanted();
     const unsigned room = source_->keepsAsking() ? executor_.room() : executor_.freeWorkers();
-    if (room == 0)
+    if (room == 0 || !sourcePays())
         return;
     proposals_.clear();
+    const double start = executor_.now();
     source_->propose(room, proposals_);
+    sourceSeconds_ += executor_.now() - start;
     for (const CheckId check : proposals_)
+    {
+        sourceChecks_ += costOf(check).mean();
         prefetch(check);
+    }
+}
+
+/// Whether the source is worth its time: it must not take the search longer to find checks than to run them. If it is
+/// not it gets a rest, ten times as long as it took. (On a virtual clock thinking takes no time.)
+bool Broker::sourcePays()
+{
+    if (sourceSeconds_ > kTrial)
+    {
+        if (sourceSeconds_ > kMostThinking * sourceChecks_)
+        {
+            sourcePaused_ = executor_.now() + kRest * sourceSeconds_;
+            source_->missed();
+            sourceListens_ = false;
+        }
+        sourceSeconds_ = 0.0;
+        sourceChecks_ = 0.0;
+    }
+    return sourcePaused_ == 0.0 || executor_.now() >= sourcePaused_;
 }
 
 /// Takes back queued checks that have lost their point.
@@ -235,7 +263,7 @@ bool Broker::prefetch(CheckId check)
     Entry& entry = table_[check];
     if (entry.verdict != Verdict::Unknown || entry.failed || executor_.runsInline())
         return false;
-    if (costOf(check).isCheap() && executor_.canRunHere())
+    if (allCheap() && executor_.canRunHere())
         return false;  // the search will run it faster itself
     executor_.submit(check, Urgency::Speculative);
     entry.verdict = Verdict::InFlight;

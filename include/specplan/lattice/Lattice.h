@@ -55,6 +55,12 @@ public:
         return nodes_.dimension();
     }
 
+    /// Number of steps out of a node, at most; those made by hand come on top.
+    [[nodiscard]] std::uint32_t maxSteps() const noexcept
+    {
+        return neighbourhood_->maxSteps();
+    }
+
     /// Number of nodes touched so far, terminals included.
     [[nodiscard]] std::size_t size() const noexcept
     {

@@ -33,7 +33,7 @@ struct PlannerSettings
     bool barrier = false;
 
     /// Weight of the heuristic (`weight`), 1 to 1e9: the cost is at most this many times the lattice optimum. 0
-    /// chooses: 1 up to four axes, 3 above. Of no effect where the objective does not add up costs.
+    /// chooses: 1 up to four axes, 3 up to seven, 5 above. Of no effect where the objective does not add up costs.
     double weight = 0.0;
 
     /// Whether to go on while there is time (`anytime`): with smaller weights, then on finer lattices. Better paths are

@@ -19,9 +19,7 @@ public:
     };
 
     /// \param lattice must outlive this. Its motions have to go both ways, as those of a grid do.
-    explicit NearbyVerdicts(lattice::Lattice& lattice) : lattice_(lattice)
-    {
-    }
+    explicit NearbyVerdicts(lattice::Lattice& lattice);
 
     [[nodiscard]] Counts around(lattice::NodeId node) const noexcept
     {

@@ -51,6 +51,13 @@ public:
 private:
     static constexpr double kNotAsked = std::numeric_limits<double>::quiet_NaN();
 
+    enum class Inner : std::uint8_t
+    {
+        None,
+        One,  ///< the check of the motion
+        More  ///< other states, too
+    };
+
     enum class Status : std::uint8_t
     {
         Unseen,
@@ -67,6 +74,8 @@ private:
         std::uint64_t closedAs = 0;  ///< number of the shadow's expansion that closed it
         lattice::NodeId parent = lattice::kNoNode;
         lattice::NodeId askedFrom = lattice::kNoNode;  ///< expansion that wanted the state's check
+        lattice::CheckId motion;                       ///< of the motion from the parent, if `inner` is One
+        Inner inner = Inner::None;                     ///< what that motion needs besides its end
         float ofState = 1.0F;                          ///< that the state is valid
         float ofMotion = 1.0F;                         ///< that the motion from the parent is
         Status status = Status::Unseen;
@@ -105,6 +114,7 @@ private:
     void emitMotionTo(lattice::NodeId id);
     void raise(lattice::NodeId root, double known);
     [[nodiscard]] double delayFor(double probability) const;
+    void forget(lattice::NodeId id);
     void retract(lattice::NodeId root);
     void retractGuarded(lattice::CheckId guard);
 

@@ -98,7 +98,13 @@ private:
     {
         return cost_[check.isMotion() ? 1 : 0];
     }
+    /// Whether nothing that the search asks for is worth handing out.
+    [[nodiscard]] bool allCheap() const noexcept
+    {
+        return cost_[0].isCheap() && (cost_[1].isCheap() || cost_[1].knowsNothing());
+    }
     void recordHere(CheckId check, Entry& entry);
+    [[nodiscard]] bool sourcePays();
     [[nodiscard]] bool waitForMissing();
     void submitMissing();
     void noteReady(Entry& entry);
@@ -119,8 +125,11 @@ private:
     Executor& executor_;
     CheckSource* source_ = nullptr;
     bool barrier_ = false;
-    bool sourceListens_ = true;  ///< the source has been told every verdict
-    bool sawInvalid_ = false;    ///< since queued checks were last looked through
+    bool sourceListens_ = true;   ///< the source has been told every verdict
+    bool sawInvalid_ = false;     ///< since queued checks were last looked through
+    double sourceSeconds_ = 0.0;  ///< spent on the source's proposals lately, executor's clock
+    double sourceChecks_ = 0.0;   ///< seconds of the checks that it has proposed lately
+    double sourcePaused_ = 0.0;   ///< time until which the source is not asked
     std::function<bool()> interrupt_;
     VerdictTable table_;
     std::uint16_t query_ = 1;

@@ -23,6 +23,7 @@ public:
         const double sum = std::accumulate(last_.begin(), end, 0.0);
         const double rest = count_ > 1 ? sum - *std::max_element(last_.begin(), end) : sum;
         const double mean = rest / static_cast<double>(std::max<std::size_t>(count_ - 1, 1));
+        mean_ = sum / static_cast<double>(count_);
         // Not the same limit both ways, so that costs near it do not make it waver.
         cheap_ = mean < (cheap_ ? kDear : kCheap);
     }
@@ -38,6 +39,12 @@ public:
         return count_ == 0;
     }
 
+    /// Mean of the last ones measured, seconds; 0 if nothing is known.
+    [[nodiscard]] double mean() const noexcept
+    {
+        return mean_;
+    }
+
 private:
     /// Handing a check to another thread and taking it back costs the search 1 to 3 µs, and more where threads share
     /// cores.
@@ -48,6 +55,7 @@ private:
     std::array<double, kWindow> last_{};
     std::size_t next_ = 0;
     std::size_t count_ = 0;
+    double mean_ = 0.0;
     bool cheap_ = false;
 };
 }  // namespace specplan::validity

@@ -151,6 +151,8 @@ void AxesComponent::write(const Coordinate* node, ob::State* state) const
         if (axis.wraps && value >= axis.upper)
             value -= axis.upper - axis.lower;
         values[i] = std::clamp(value, axis.lower, axis.upper);
+        if (axis.wraps && values[i] == axis.upper)
+            values[i] = axis.lower;  // SO2 is half open
     }
     access_.write(values, state);
 }

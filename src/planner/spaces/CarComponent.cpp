@@ -28,7 +28,8 @@ void setPose(ob::State* state, double x, double y, double yaw)
 {
     auto* pose = state->as<ob::SE2StateSpace::StateType>();
     pose->setXY(x, y);
-    pose->setYaw(std::remainder(yaw, 2.0 * std::numbers::pi));
+    const double wrapped = std::remainder(yaw, 2.0 * std::numbers::pi);
+    pose->setYaw(wrapped < std::numbers::pi ? wrapped : -std::numbers::pi);  // SO2 is half open
 }
 }  // namespace
 
@@ -59,7 +60,7 @@ CarComponent::CarComponent(ob::StateSpacePtr space, std::string name, double spa
 /// Steps that a motion may lead away along an axis: far enough to turn by one heading.
 Coordinate CarComponent::reach() const
 {
-    return static_cast<Coordinate>(std::clamp(std::ceil(3.0 * turn_ / (unit_ * stride_)), 3.0, 12.0));
+    return static_cast<Coordinate>(std::clamp(std::ceil(4.0 * turn_ / (unit_ * stride_)), 4.0, 12.0));
 }
 
 CarComponent::Primitives CarComponent::makePrimitives() const

@@ -27,7 +27,6 @@ namespace ob = ompl::base;
 namespace
 {
 constexpr double kAutomaticNodes = 60000.0;
-constexpr double kFewestCells = 20.0;
 /// A diagonal step is then just shorter than OMPL's default validity resolution, one percent of the extent.
 constexpr double kMostCells = 101.0;
 constexpr double kAngleCells = 16.0;
@@ -135,6 +134,14 @@ double extentOf(const RealAxis& axis)
     return std::isfinite(extent) ? extent : 1.0;
 }
 
+/// The fewest cells along an axis: where there are many axes the first lattice is coarse, and refined if need be.
+double fewestCells(double axes)
+{
+    if (axes < 5.0)
+        return 20.0;
+    return axes < 8.0 ? 12.0 : 8.0;
+}
+
 /// Cells along an axis that is neither an angle nor a rotation, where no resolution was asked for.
 double automaticCells(const std::vector<Draft>& drafts)
 {
@@ -149,9 +156,9 @@ double automaticCells(const std::vector<Draft>& drafts)
             others += !draft.angle && !axis.whole && axis.lower < axis.upper ? 1.0 : 0.0;
     }
     if (others == 0.0)
-        return std::clamp(std::pow(kAutomaticNodes, 1.0 / std::max(angles, 1.0)), kFewestCells, kMostCells);
+        return std::clamp(std::pow(kAutomaticNodes, 1.0 / std::max(angles, 1.0)), fewestCells(angles), kMostCells);
     const double nodes = kAutomaticNodes / (std::pow(kAngleCells, angles) * std::pow(kRotations, rotations));
-    return std::clamp(std::floor(std::pow(std::max(nodes, 1.0), 1.0 / others)), kFewestCells, kMostCells);
+    return std::clamp(std::floor(std::pow(std::max(nodes, 1.0), 1.0 / others)), fewestCells(others), kMostCells);
 }
 
 bool allAngles(const std::vector<Draft>& drafts)

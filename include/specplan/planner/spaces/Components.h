@@ -20,9 +20,9 @@ struct Components
 
 /// Makes the components, with a lattice that goes through `origin`.
 ///
-/// Without a resolution the space gets about 60000 nodes, but at least 20 and at most 101 steps along an axis; angles
-/// beside other axes get 16, and rotations the 40 that are 90 degrees apart. That lattice can be refined; one that was
-/// asked for cannot.
+/// Without a resolution the space gets about 60000 nodes, and at most 101 steps along an axis; at least 20 up to four
+/// axes, 12 up to seven, and 8 beyond; angles beside other axes get 16, and rotations the 40 that are 90 degrees apart.
+/// That lattice can be refined; one that was asked for cannot.
 ///
 /// \throws ompl::Exception where an axis has no bounds, or the settings do not fit the space.
 [[nodiscard]] Components makeComponents(const Decomposition& decomposition, const PlannerSettings& settings,
