@@ -9,7 +9,7 @@ namespace demo
 {
 namespace
 {
-constexpr double kHeight = 480.0;  // pixels of a panel
+constexpr double kHeight = 360.0;  // pixels of a panel
 constexpr double kMargin = 16.0;   // pixels
 constexpr double kTitle = 44.0;    // pixels above the panels
 

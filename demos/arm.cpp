@@ -24,9 +24,13 @@
 #include <specplan/planner/SpeculativeAStar.h>
 
 #include "Drawing.h"
+#include "Solid.h"
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
+using demo::Box;
+using demo::Capsule;
+using demo::collide;
 
 constexpr unsigned kAxes = 7;
 using Joints = std::array<double, kAxes>;  // radians
@@ -48,31 +52,6 @@ Pose poseOf(const double* joints)
         frames[i + 1] = frames[i] * Eigen::AngleAxisd(joints[i], Eigen::Vector3d::UnitZ()) *
                         Eigen::Translation3d(0.0, 0.0, d[i]) * Eigen::AngleAxisd(alpha[i], Eigen::Vector3d::UnitX());
     return {frames[2], frames[4], frames[6], frames[7]};
-}
-
-/// A convex body in its place.
-template <typename Shape>
-struct Body
-{
-    Shape shape;
-    Eigen::Isometry3d place;
-    fcl::AABBd box;
-
-    Body(const Shape& s, const Eigen::Isometry3d& p) : shape(s), place(p)
-    {
-        fcl::computeBV(shape, place, box);
-    }
-};
-using Capsule = Body<fcl::Capsuled>;
-using Box = Body<fcl::Boxd>;
-
-template <typename A, typename B>
-bool collide(const A& a, const B& b)
-{
-    if (!a.box.overlap(b.box))
-        return false;
-    fcl::CollisionResultd result;
-    return fcl::collide(&a.shape, a.place, &b.shape, b.place, fcl::CollisionRequestd(), result) > 0;
 }
 
 /// The arm's bodies. FCL's capsules lie along z with their middle in the origin.
@@ -112,19 +91,15 @@ struct Arm
     }
 };
 
-Box boxAt(double x, double y, double z, double width, double depth, double height)
-{
-    return {fcl::Boxd(width, depth, height), Eigen::Isometry3d(Eigen::Translation3d(x, y, z))};
-}
-
 /// The floor, and a shelf of two by two compartments that is open towards the arm.
 std::vector<Box> makeObstacles()
 {
-    std::vector<Box> boxes{boxAt(0.4, 0.0, -0.05, 1.8, 1.8, 0.04), boxAt(0.97, 0.0, 0.55, 0.04, 1.04, 0.94)};
-    for (const double z : {0.10, 0.55, 1.00})
-        boxes.push_back(boxAt(0.75, 0.0, z, 0.40, 1.04, 0.04));
-    for (const double y : {-0.5, 0.0, 0.5})
-        boxes.push_back(boxAt(0.75, y, 0.55, 0.40, 0.04, 0.94));
+    std::vector<Box> boxes{demo::boxBetween({-0.5, -0.9, -0.07}, {1.3, 0.9, -0.03}),
+                           demo::boxBetween({0.95, -0.52, 0.08}, {0.99, 0.52, 1.02})};
+    for (const double z : {0.08, 0.53, 0.98})
+        boxes.push_back(demo::boxBetween({0.55, -0.52, z}, {0.95, 0.52, z + 0.04}));
+    for (const double y : {-0.52, -0.02, 0.48})
+        boxes.push_back(demo::boxBetween({0.55, y, 0.08}, {0.95, y + 0.04, 1.02}));
     return boxes;
 }
 
@@ -174,11 +149,11 @@ og::SimpleSetup makeSetup()
     return setup;
 }
 
-/// Plans for at most 9 s and prints a row. \return whether a path was found that holds.
+/// Plans for at most 30 s and prints a row. \return whether a path was found that holds.
 bool plan(og::SimpleSetup& setup, const ob::PlannerPtr& planner)
 {
     setup.setPlanner(planner);
-    const ob::PlannerStatus status = setup.solve(9.0);
+    const ob::PlannerStatus status = setup.solve(30.0);
     const bool solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.getSolutionPath().check();
     std::cout << std::left << std::setw(18) << planner->getName() << std::setw(22) << status.asString() << std::right
               << std::fixed << std::setprecision(3) << std::setw(9) << setup.getLastPlanComputationTime();
@@ -204,15 +179,9 @@ void drawArm(demo::Drawing& drawing, std::size_t panel, const Arm& arm, const st
               << '"';
         drawing.line(panel, {flat(limb->place * -half), flat(limb->place * half)}, style.str());
     }
-    demo::Points corners;
-    for (const double x : {-0.5, 0.5})
-        for (const double y : {-0.5, 0.5})
-            for (const double z : {-0.5, 0.5})
-                corners.push_back(
-                    flat(arm.gripper.place * arm.gripper.shape.side.cwiseProduct(Eigen::Vector3d(x, y, z))));
     std::ostringstream style;
     style << "fill=\"" << colour << "\" opacity=\"" << opacity << '"';
-    drawing.polygon(panel, demo::convexHull(corners), style.str());
+    drawing.polygon(panel, demo::outline(arm.gripper, across, 2), style.str());
 }
 
 void draw(og::PathGeometric path, const std::filesystem::path& file)
@@ -225,12 +194,7 @@ void draw(og::PathGeometric path, const std::filesystem::path& file)
     {
         const int across = panel == 0 ? 0 : 1;
         for (const Box& box : obstacles())
-            drawing.polygon(panel,
-                            demo::convexHull({{box.box.min_[across], box.box.min_[2]},
-                                              {box.box.min_[across], box.box.max_[2]},
-                                              {box.box.max_[across], box.box.min_[2]},
-                                              {box.box.max_[across], box.box.max_[2]}}),
-                            "fill=\"#3b3f45\" opacity=\"0.35\"");
+            drawing.polygon(panel, demo::outline(box, across, 2), "fill=\"#3b3f45\" opacity=\"0.35\"");
         for (std::size_t i = 0; i < path.getStateCount(); ++i)
         {
             const Arm arm(path.getState(static_cast<unsigned>(i))->as<ob::RealVectorStateSpace::StateType>()->values);
