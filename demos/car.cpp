@@ -175,7 +175,7 @@ bool plan(const std::string& name, const std::shared_ptr<ob::SE2StateSpace>& spa
     std::cout << std::left << std::setw(14) << name << std::setw(22) << status.asString() << std::right << std::fixed
               << std::setprecision(2) << std::setw(8) << report.cost << std::setw(9) << report.checksTotal
               << std::setw(9) << std::setprecision(3) << report.wallTime << std::setw(7) << std::setprecision(2)
-              << report.bound << "   " << (solved ? file.string() : "no path that holds") << '\n';
+              << report.bound << "   " << (solved ? file.string() : "no path that holds") << std::endl;
     if (solved)
         draw(name, setup.getSolutionPath(), file);
     return solved;
