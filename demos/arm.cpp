@@ -211,7 +211,6 @@ bool run(const std::filesystem::path& folder)
     std::cout << "planner           status                  seconds   length  simplified    checks   bound\n";
     og::SimpleSetup setup = makeSetup();
     auto planner = std::make_shared<specplan::SpeculativeAStar>(setup.getSpaceInformation());
-    planner->params().setParam("num_threads", "1");  // checks of a few microseconds are not worth handing over
     const bool solved = plan(setup, planner);
     std::cout << std::setw(10) << planner->getReport().checksTotal << std::setw(8) << std::setprecision(2)
               << planner->getReport().bound << '\n';

@@ -126,9 +126,9 @@ og::SimpleSetup makeSetup(const std::shared_ptr<ob::SE2StateSpace>& space)
     setup.getSpaceInformation()->setStateValidityCheckingResolution(0.004);  // 20 cm
     ob::ScopedState<ob::SE2StateSpace> start(space), goal(space);
     start->setXY(15.5, 1.3);
-    start->setYaw(1.57);
+    start->setYaw(std::numbers::pi / 2.0);
     goal->setXY(24.5, 26.3);
-    goal->setYaw(1.57);
+    goal->setYaw(std::numbers::pi / 2.0);
     setup.setStartAndGoalStates(start, goal);
     return setup;
 }

@@ -131,7 +131,6 @@ bool run(const std::filesystem::path& folder)
 {
     og::SimpleSetup setup = makeSetup();
     auto planner = std::make_shared<specplan::SpeculativeAStar>(setup.getSpaceInformation());
-    planner->params().setParam("num_threads", "1");  // checks of a few microseconds are not worth handing over
     setup.setPlanner(planner);
     const ob::PlannerStatus status = setup.solve(30.0);
     const bool solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.getSolutionPath().check();
