@@ -129,7 +129,7 @@ const CatalogEntry* find(const std::string& name)
     return found == kCatalog.end() ? nullptr : &*found;
 }
 
-/// Silences OMPL, which prints a warning of its own where a parameter is refused.
+/// Silences OMPL, whose warnings would come on top of the one line that an error is.
 class QuietOmpl
 {
 public:
@@ -149,6 +149,12 @@ public:
 private:
     ompl::msg::LogLevel level_ = ompl::msg::getLogLevel();
 };
+
+ob::PlannerPtr construct(const CatalogEntry& entry, const ob::SpaceInformationPtr& si)
+{
+    const QuietOmpl quiet;  // BITstar warns of its own default name
+    return entry.make(si);
+}
 
 void setParameter(ob::Planner& planner, const std::string& name, const std::string& key, const std::string& value)
 {
@@ -191,7 +197,7 @@ ob::PlannerPtr makePlanner(const std::string& name, const std::map<std::string, 
     if (entry == nullptr)
         throw InputError(concat("planner '", name, "' is not known; expected SpeculativeAStar or one of OMPL's, such ",
                                 "as RRTConnect or BITstar"));
-    const ob::PlannerPtr planner = entry->make(si);
+    const ob::PlannerPtr planner = construct(*entry, si);
     for (const auto& [key, value] : parameters)
         if (key == "name")
             planner->setName(value);
