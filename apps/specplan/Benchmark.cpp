@@ -68,6 +68,9 @@ public:
 /// Columns that only our planner has.
 void addReport(RunProperties& run, const SearchReport& report)
 {
+    run["bound REAL"] = concat(report.bound);
+    run["refinements INTEGER"] = std::to_string(report.refinements);
+    run["checks reused INTEGER"] = std::to_string(report.checksReused);
     run["expansions INTEGER"] = std::to_string(report.expansions);
     run["checks used INTEGER"] = std::to_string(report.checksUsed);
     run["checks total INTEGER"] = std::to_string(report.checksTotal);
@@ -82,6 +85,14 @@ void addReport(RunProperties& run, const SearchReport& report)
     run["threads INTEGER"] = std::to_string(report.threads);
 }
 
+/// What the kind of problem settles; to go on while there is time is the planner's own choice here, as with others.
+PlannerSettings settled(const Problem& problem, const PlannerSettings& chosen)
+{
+    PlannerSettings settings = problem.settle(chosen);
+    settings.anytime = chosen.anytime;
+    return settings;
+}
+
 /// Makes the planners and adds them. \throws InputError, with the place in the file if it asks for them.
 void addPlanners(KeepingBenchmark& benchmark, const Problem& problem,
                  const std::vector<problems::PlannerRequest>& requests, const ob::SpaceInformationPtr& si,
@@ -93,7 +104,7 @@ void addPlanners(KeepingBenchmark& benchmark, const Problem& problem,
         {
             const ob::PlannerPtr planner = problems::makePlanner(request.name, request.parameters, si);
             if (auto* ours = dynamic_cast<SpeculativeAStar*>(planner.get()))
-                ours->setSettings(problem.settle(ours->getSettings()));
+                ours->setSettings(settled(problem, ours->getSettings()));
             benchmark.addPlanner(std::make_shared<InterruptiblePlanner>(planner, checker));
         }
         catch (const InputError& error)

@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include <ompl/config.h>
 #include <ompl/util/Exception.h>
 
 #include "Run.h"
@@ -11,6 +12,20 @@
 namespace specplan::command
 {
 namespace ob = ompl::base;
+
+namespace
+{
+/// Benchmark reads these properties from another thread while the planner runs. Before OMPL 1.6 two of BIT*'s walk over
+/// its graph as it changes, which now and then ends the program (OMPL issue 779).
+bool isSafeToPoll(const std::string& property)
+{
+#if OMPL_VERSION_VALUE < 1006000
+    return property != "current free states INTEGER" && property != "current graph vertices INTEGER";
+#else
+    return true;
+#endif
+}
+}  // namespace
 
 InterruptiblePlanner::InterruptiblePlanner(ob::PlannerPtr planner, std::shared_ptr<const CountingChecker> checker)
     : ob::Planner(planner->getSpaceInformation(), planner->getName()),
@@ -20,7 +35,8 @@ InterruptiblePlanner::InterruptiblePlanner(ob::PlannerPtr planner, std::shared_p
     specs_ = planner_->getSpecs();
     params_.include(planner_->params());
     for (const auto& [name, read] : planner_->getPlannerProgressProperties())
-        addPlannerProgressProperty(name, read);
+        if (isSafeToPoll(name))
+            addPlannerProgressProperty(name, read);
 }
 
 ob::PlannerStatus InterruptiblePlanner::solve(const ob::PlannerTerminationCondition& ptc)

@@ -60,22 +60,24 @@ std::vector<Panel> makePanels(const Eigen::AlignedBox3d& space, bool planar)
     return panels;
 }
 
-/// The triangles of the world that the robot can meet: in the plane, those at its height.
-Mesh relevantWorld(const problems::RigidBodySetup& setup)
+/// What the robot can meet in the plane: the parts of the world at its height, without what is below it, such as a
+/// floor that belongs to the walls.
+Mesh worldInThePlane(const problems::RigidBodySetup& setup)
 {
-    Mesh world = setup.world();
-    if (!setup.problem().planar)
-        return world;
     const Eigen::AlignedBox3d robot = boundsOf(setup.robot());
-    std::erase_if(world.triangles,
-                  [&](const auto& triangle)
-                  {
-                      const auto heights = std::array{world.vertices[triangle[0]].z(), world.vertices[triangle[1]].z(),
-                                                      world.vertices[triangle[2]].z()};
-                      const auto [low, high] = std::ranges::minmax(heights);
-                      return high < robot.min().z() || low > robot.max().z();
-                  });
-    return world;
+    Mesh plane;
+    for (const Mesh& part : connectedParts(setup.world()))
+    {
+        const Eigen::AlignedBox3d box = boundsOf(part);
+        if (box.max().z() < robot.min().z() || box.min().z() > robot.max().z())
+            continue;
+        const auto first = static_cast<std::uint32_t>(plane.vertices.size());
+        plane.vertices.insert(plane.vertices.end(), part.vertices.begin(), part.vertices.end());
+        for (const auto& [a, b, c] : part.triangles)
+            if (std::max({part.vertices[a].z(), part.vertices[b].z(), part.vertices[c].z()}) > robot.min().z())
+                plane.triangles.push_back({first + a, first + b, first + c});
+    }
+    return plane;
 }
 
 std::array<Vector3d, 3> cornersOf(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle,
@@ -153,7 +155,7 @@ private:
 
     void drawWorldFromAbove(const View& view)
     {
-        const Mesh world = relevantWorld(setup_);
+        const Mesh world = worldInThePlane(setup_);
         out_ << "<path fill=\"" << kWallColour << "\" d=\"";
         for (const auto& triangle : world.triangles)
             out_ << trianglePath(view, cornersOf(world, triangle, Eigen::Isometry3d::Identity()));
@@ -240,7 +242,7 @@ private:
             return drawEnds(view);
         ompl::geometric::PathGeometric path = run_.setup->getSolutionPath();
         const std::size_t cost = setup_.robot().triangles.size() * panels_.size();
-        const auto count = static_cast<unsigned>(std::clamp<std::size_t>(kMostTriangles / cost, 4, 30));
+        const auto count = static_cast<unsigned>(std::clamp<std::size_t>(kMostTriangles / cost, 4, planar_ ? 30 : 14));
         path.interpolate(std::max<unsigned>(count, static_cast<unsigned>(path.getStateCount())));
         const std::size_t last = path.getStateCount() - 1;
         for (unsigned i = 1; i + 1 < count; ++i)

@@ -72,13 +72,23 @@ ob::PlannerPtr make(const ob::SpaceInformationPtr& si)
     return std::make_shared<Planner>(si);
 }
 
+/// BIT* and ABIT* connect to the k nearest by default, and OMPL before 1.6 warns that their names say otherwise.
+template <typename Planner>
+ob::PlannerPtr makeNearest(const ob::SpaceInformationPtr& si)
+{
+    const ob::PlannerPtr planner = std::make_shared<Planner>(si);
+    if (!planner->getName().starts_with('k'))
+        planner->setName('k' + planner->getName());
+    return planner;
+}
+
 constexpr std::array kCatalog{
     CatalogEntry{"SpeculativeAStar", "", &make<SpeculativeAStar>},
-    CatalogEntry{"ABITstar", "", &make<og::ABITstar>},
+    CatalogEntry{"ABITstar", "", &makeNearest<og::ABITstar>},
     CatalogEntry{"AITstar", "", &make<og::AITstar>},
     CatalogEntry{"AnytimePathShortening", "aps", &make<og::AnytimePathShortening>},
     CatalogEntry{"BFMT", "", &make<og::BFMT>},
-    CatalogEntry{"BITstar", "", &make<og::BITstar>},
+    CatalogEntry{"BITstar", "", &makeNearest<og::BITstar>},
     CatalogEntry{"BKPIECE1", "bkpiece", &make<og::BKPIECE1>},
     CatalogEntry{"BiEST", "", &make<og::BiEST>},
     CatalogEntry{"BiRLRT", "", &make<og::BiRLRT>},
@@ -129,7 +139,7 @@ const CatalogEntry* find(const std::string& name)
     return found == kCatalog.end() ? nullptr : &*found;
 }
 
-/// Silences OMPL, whose warnings would come on top of the one line that an error is.
+/// Silences OMPL, which prints a warning of its own where a parameter is refused.
 class QuietOmpl
 {
 public:
@@ -149,12 +159,6 @@ public:
 private:
     ompl::msg::LogLevel level_ = ompl::msg::getLogLevel();
 };
-
-ob::PlannerPtr construct(const CatalogEntry& entry, const ob::SpaceInformationPtr& si)
-{
-    const QuietOmpl quiet;  // BITstar warns of its own default name
-    return entry.make(si);
-}
 
 void setParameter(ob::Planner& planner, const std::string& name, const std::string& key, const std::string& value)
 {
@@ -197,7 +201,7 @@ ob::PlannerPtr makePlanner(const std::string& name, const std::map<std::string, 
     if (entry == nullptr)
         throw InputError(concat("planner '", name, "' is not known; expected SpeculativeAStar or one of OMPL's, such ",
                                 "as RRTConnect or BITstar"));
-    const ob::PlannerPtr planner = construct(*entry, si);
+    const ob::PlannerPtr planner = entry->make(si);
     for (const auto& [key, value] : parameters)
         if (key == "name")
             planner->setName(value);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/problems/fcl/Mesh.h"
 
+#include <map>
+
 namespace specplan::problems
 {
 Eigen::Vector3d centreOf(const Mesh& mesh)
@@ -25,6 +27,40 @@ Mesh moved(Mesh mesh, const Eigen::Vector3d& by)
     for (Eigen::Vector3d& vertex : mesh.vertices)
         vertex += by;
     return mesh;
+}
+
+std::vector<Mesh> connectedParts(const Mesh& mesh)
+{
+    // Union of the corners of each triangle; a root stands for its part.
+    std::map<std::array<double, 3>, std::uint32_t> places;
+    std::vector<std::uint32_t> parent;
+    for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i)
+    {
+        const Eigen::Vector3d& v = mesh.vertices[i];
+        parent.push_back(places.emplace(std::array{v.x(), v.y(), v.z()}, i).first->second);
+    }
+    const auto root = [&parent](std::uint32_t i)
+    {
+        while (parent[i] != i)
+            i = parent[i] = parent[parent[i]];
+        return i;
+    };
+    for (const auto& triangle : mesh.triangles)
+        for (const std::uint32_t corner : triangle)
+            parent[root(corner)] = root(triangle[0]);
+
+    std::vector<Mesh> parts;
+    std::map<std::uint32_t, std::size_t> numbers;
+    for (const auto& triangle : mesh.triangles)
+    {
+        const auto [found, isNew] = numbers.emplace(root(triangle[0]), parts.size());
+        Mesh& part = isNew ? parts.emplace_back() : parts[found->second];
+        const auto first = static_cast<std::uint32_t>(part.vertices.size());
+        for (const std::uint32_t corner : triangle)
+            part.vertices.push_back(mesh.vertices[corner]);
+        part.triangles.push_back({first, first + 1, first + 2});
+    }
+    return parts;
 }
 
 void addBox(Mesh& mesh, const Eigen::Vector3d& low, const Eigen::Vector3d& high)

@@ -52,6 +52,17 @@ std::string collada(const std::string& up, const std::string& matrix)
 <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 }
 
+TEST(Mesh, FallsIntoPartsThatShareNoCorner)
+{
+    Mesh mesh = boxMesh({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0});
+    addBox(mesh, {1.0, 1.0, 1.0}, {2.0, 2.0, 2.0});  // one corner in common
+    addBox(mesh, {5.0, 0.0, 0.0}, {6.0, 1.0, 1.0});
+    const std::vector<Mesh> parts = connectedParts(mesh);
+    ASSERT_EQ(parts.size(), 2U);
+    EXPECT_EQ(parts[0].triangles.size(), 24U);
+    EXPECT_TRUE(boundsOf(parts[1]).isApprox(Eigen::AlignedBox3d(Eigen::Vector3d(5, 0, 0), Eigen::Vector3d(6, 1, 1))));
+}
+
 TEST(ReadMesh, ReadsWhatWriteObjWrites)
 {
     const TemporaryFolder folder;

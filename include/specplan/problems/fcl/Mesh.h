@@ -26,6 +26,9 @@ struct Mesh
 /// The mesh moved by a vector.
 [[nodiscard]] Mesh moved(Mesh mesh, const Eigen::Vector3d& by);
 
+/// The parts of a mesh that share no corner, in the order of their first triangles. Corners at the same place are one.
+[[nodiscard]] std::vector<Mesh> connectedParts(const Mesh& mesh);
+
 /// Adds a box along the axes, as twelve triangles that face outward.
 void addBox(Mesh& mesh, const Eigen::Vector3d& low, const Eigen::Vector3d& high);
 }  // namespace specplan::problems
