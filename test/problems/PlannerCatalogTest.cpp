@@ -58,8 +58,8 @@ TEST(PlannerCatalog, RefusesWhatItDoesNotKnowInOneLine)
     EXPECT_EQ(complaint("Teleport", {}).rfind("planner 'Teleport' is not known", 0), 0U);
     EXPECT_EQ(complaint("RRT", {{"colour", "red"}}), "planner RRT: expected one of its parameters, found 'colour'");
     EXPECT_EQ(complaint("RRT", {{"range", "far"}}), "planner RRT: range cannot be 'far', expected 0.:1.:10000.");
-    EXPECT_EQ(complaint("SpeculativeAStar", {{"weight", "0.5"}}),
-              "planner SpeculativeAStar: weight cannot be '0.5', expected 1.:.1:1000000000.");
+    EXPECT_EQ(complaint("SpeculativeAStar", {{"executor", "quantum"}}),
+              "planner SpeculativeAStar: executor cannot be 'quantum', expected threads,virtual");
 }
 }  // namespace
 }  // namespace specplan::problems
