@@ -76,7 +76,7 @@ ob::PlannerPtr make(const ob::SpaceInformationPtr& si)
 template <typename Planner>
 ob::PlannerPtr makeNearest(const ob::SpaceInformationPtr& si)
 {
-    const ob::PlannerPtr planner = std::make_shared<Planner>(si);
+    ob::PlannerPtr planner = std::make_shared<Planner>(si);
     if (!planner->getName().starts_with('k'))
         planner->setName('k' + planner->getName());
     return planner;
@@ -184,6 +184,7 @@ void setParameter(ob::Planner& planner, const std::string& name, const std::stri
 std::vector<std::string> plannerNames()
 {
     std::vector<std::string> names;
+    names.reserve(kCatalog.size());
     for (const CatalogEntry& entry : kCatalog)
         names.emplace_back(entry.name);
     return names;
@@ -201,7 +202,7 @@ ob::PlannerPtr makePlanner(const std::string& name, const std::map<std::string, 
     if (entry == nullptr)
         throw InputError(concat("planner '", name, "' is not known; expected SpeculativeAStar or one of OMPL's, such ",
                                 "as RRTConnect or BITstar"));
-    const ob::PlannerPtr planner = entry->make(si);
+    ob::PlannerPtr planner = entry->make(si);
     for (const auto& [key, value] : parameters)
         if (key == "name")
             planner->setName(value);
