@@ -19,7 +19,19 @@ install(TARGETS ${specplan_libraries}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
 )
-set(specplan_private_headers PATTERN problems EXCLUDE)
+set(specplan_private_headers "")
+if(TARGET specplan_fcl)
+  set_target_properties(specplan_fcl PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  set_target_properties(specplan_fcl PROPERTIES INSTALL_RPATH "$ORIGIN")
+  install(TARGETS specplan_fcl specplan_problems
+    EXPORT specplanFclTargets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  )
+  install(EXPORT specplanFclTargets NAMESPACE specplan:: DESTINATION ${specplan_config_dir})
+else()
+  list(APPEND specplan_private_headers PATTERN problems EXCLUDE)
+endif()
 if(NOT TARGET specplan_planner)
   list(APPEND specplan_private_headers PATTERN planner EXCLUDE)
 endif()

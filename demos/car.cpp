@@ -3,6 +3,7 @@
 // forward (Dubins), and as one that also backs up (Reeds-Shepp). The checker is plain C++.
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>

@@ -8,6 +8,7 @@
 
 #include <ompl/util/Console.h>
 
+#include "Benchmark.h"
 #include "Plan.h"
 #include "Run.h"
 #include "Speedup.h"
@@ -35,7 +36,8 @@ struct RawOptions
 
 void addProblemOptions(CLI::App& app, ProblemOptions& options, RawOptions& raw)
 {
-    app.add_option("PROBLEM", options.files, "Moving AI .map, or a map in the seed's text format")->required();
+    app.add_option("PROBLEM", options.files, "Moving AI .map, map in the seed's text format, or OMPL.app .cfg")
+        ->required();
     CLI::Option* start = app.add_option("--start", raw.start, "Start cell x,y")->type_name("X,Y");
     CLI::Option* goal = app.add_option("--goal", raw.goal, "Goal cell x,y")->type_name("X,Y");
     app.add_option("--scen", options.scenario, "Moving AI scenario [PROBLEM.scen if there is one]")
@@ -81,6 +83,44 @@ void addSearchOptions(CLI::App& app, CommonOptions& options, RawOptions& raw)
     app.add_flag("--json", options.json, "Print one JSON object and nothing else");
 }
 
+void addBenchmarkOptions(CLI::App& app, BenchmarkOptions& options, RawOptions& raw)
+{
+    app.add_option("PROBLEM", options.file, "OMPL.app .cfg, or a map with a scenario beside it")->required();
+    app.add_option("--planners", options.planners,
+                   "Planners, separated by commas: OMPL's geometric ones, and SpeculativeAStar in any number of "
+                   "configurations such as 'SpeculativeAStar:num_threads=1;weight=2' [those of the file]")
+        ->type_name("NAME[:K=V;...],...");
+    app.add_option("--runs", options.runs, "Runs of each planner [the file's, or 10]")->check(CLI::Range(1U, 1000000U));
+    app.add_option("--time-limit", raw.timeLimit, "Of each run, such as 10s [the file's, or 10s]")->type_name("TIME");
+    app.add_option("--memory-limit", options.memoryLimit, "Of each run, MB [the file's, or 4096]")
+        ->check(CLI::Range(1.0, 1e9));
+    CLI::Option* latency =
+        app.add_option("--check-latency", raw.latency, "Each check sleeps this long, such as 5ms")->type_name("TIME");
+    app.add_option("--check-busy", raw.busy, "Each check burns CPU this long, such as 100us")
+        ->type_name("TIME")
+        ->excludes(latency);
+    app.add_flag("--simplify", options.simplify, "Simplify each path too, with OMPL's defaults");
+    app.add_option("--log", options.logFile, "Write OMPL's benchmark log")->type_name("FILE");
+    app.add_flag("--json", options.json, "Print one JSON object and nothing else");
+}
+
+problems::ArtificialCheck artificialCheck(const RawOptions& raw)
+{
+    if (!raw.busy.empty())
+        return {parseDuration("--check-busy", raw.busy), true};
+    return {raw.latency.empty() ? std::chrono::nanoseconds(0) : parseDuration("--check-latency", raw.latency), false};
+}
+
+void finishBenchmark(BenchmarkOptions& options, const RawOptions& raw)
+{
+    options.check = artificialCheck(raw);
+    if (raw.timeLimit.empty())
+        return;
+    options.timeLimit = parseDuration("--time-limit", raw.timeLimit);
+    if (options.timeLimit->count() == 0)
+        throw InputError("--time-limit: expected more than 0s");
+}
+
 /// Reads what was given as text. \param single whether one problem is all there may be. \throws InputError naming the
 /// option.
 void finish(CommonOptions& options, const RawOptions& raw, bool single)
@@ -89,10 +129,7 @@ void finish(CommonOptions& options, const RawOptions& raw, bool single)
         options.problem.start = parseCell("--start", raw.start);
     if (!raw.goal.empty())
         options.problem.goal = parseCell("--goal", raw.goal);
-    if (!raw.latency.empty())
-        options.check = {parseDuration("--check-latency", raw.latency), false};
-    if (!raw.busy.empty())
-        options.check = {parseDuration("--check-busy", raw.busy), true};
+    options.check = artificialCheck(raw);
     if (!raw.timeLimit.empty())
         options.timeLimit = parseDuration("--time-limit", raw.timeLimit);
     if (options.evaluation == "lazy")
@@ -130,10 +167,18 @@ int run(int argc, char** argv)
         ->check(CLI::IsMember(speculationPolicies()))
         ->capture_default_str();
     addSearchOptions(*planApp, planOptions, raw);
+    planApp
+        ->add_option("--planner", planOptions.planWith,
+                     "Plan with another planner of OMPL, such as RRTConnect:range=5, for comparison; 10 s at most")
+        ->type_name("NAME[:K=V;...]");
     planApp->add_option("--svg", planOptions.svgFile, "Draw the search")->type_name("FILE");
     planApp->add_option("--trace", planOptions.traceFile, "Write the search as JSON: map, order of expansions, path")
         ->type_name("FILE");
     planApp->add_option("--path", planOptions.pathFile, "Write the path, one state a line")->type_name("FILE");
+
+    BenchmarkOptions benchmarkOptions;
+    CLI::App* benchmarkApp = app.add_subcommand("benchmark", "Run OMPL's Benchmark over several planners");
+    addBenchmarkOptions(*benchmarkApp, benchmarkOptions, raw);
 
     SpeedupOptions speedupOptions;
     CLI::App* speedupApp = app.add_subcommand("speedup", "Measure every policy with every number of threads");
@@ -160,6 +205,11 @@ int run(int argc, char** argv)
         {
             finish(planOptions, raw, true);
             return plan(planOptions, std::cout);
+        }
+        if (benchmarkApp->parsed())
+        {
+            finishBenchmark(benchmarkOptions, raw);
+            return benchmark(benchmarkOptions, std::cout);
         }
         finish(speedupOptions, raw, false);
         return speedup(speedupOptions, std::cout);

@@ -36,9 +36,23 @@ struct CommonOptions
 
 struct PlanOptions : CommonOptions
 {
+    std::string planWith;  ///< another planner instead of ours; empty: none
     std::string svgFile;
     std::string traceFile;
     std::string pathFile;
+};
+
+struct BenchmarkOptions
+{
+    std::string file;
+    std::string planners;  ///< empty: those of the file
+    std::optional<unsigned> runs;
+    std::optional<std::chrono::nanoseconds> timeLimit;
+    std::optional<double> memoryLimit;  ///< MB
+    problems::ArtificialCheck check;
+    bool simplify = false;
+    std::string logFile;
+    bool json = false;
 };
 
 struct SpeedupOptions : CommonOptions

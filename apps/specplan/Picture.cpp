@@ -6,6 +6,8 @@
 #include <ostream>
 #include <string>
 
+#include "Colours.h"
+#include "GridMapProblem.h"
 #include "Text.h"
 #include "specplan/problems/InputError.h"
 
@@ -20,21 +22,8 @@ namespace
 constexpr int kWidth = 900;  // pixels
 constexpr int kMargin = 12;  // pixels
 constexpr int kLegend = 30;  // pixels
-constexpr std::array<const char*, 8> kExpanded{"#deebf7", "#c6dbef", "#9ecae1", "#7fb9dc",
-                                               "#6baed6", "#4a98c9", "#3182bd", "#1f6aa8"};
-constexpr const char* kWall = "#3b3f45";
 constexpr const char* kOpen = "#c7e9c0";
 constexpr const char* kInvalid = "#9a6a62";
-constexpr const char* kUnused = "#fdae61";
-constexpr const char* kPath = "#d7191c";
-
-std::string escaped(const std::string& text)
-{
-    std::string out;
-    for (const char c : text)
-        out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    return out;
-}
 
 /// One path element with all the given cells; cells side by side in a row become one rectangle.
 void drawCells(std::ostream& out, std::vector<GridCell> cells, const char* colour)
@@ -69,27 +58,29 @@ void drawStates(std::ostream& out, const Run& run)
 {
     using Fate = SpeculativeAStar::StateFate;
     std::array<std::vector<GridCell>, 4> byFate;
-    run.planner->visitStates([&byFate](const ompl::base::State* state, Fate fate)
-                             { byFate[static_cast<std::size_t>(fate)].push_back(problems::cellOf(state)); });
+    if (run.planner)
+        run.planner->visitStates([&byFate](const ompl::base::State* state, Fate fate)
+                                 { byFate[static_cast<std::size_t>(fate)].push_back(problems::cellOf(state)); });
     drawCells(out, byFate[static_cast<std::size_t>(Fate::Open)], kOpen);
     drawCells(out, byFate[static_cast<std::size_t>(Fate::Invalid)], kInvalid);
-    const std::size_t shades = kExpanded.size();
+    const std::vector<GridCell> expanded = cellsOf(run.expanded);
+    const std::size_t shades = kExpandedColours.size();
     for (std::size_t shade = 0; shade < shades; ++shade)
     {
-        const auto at = [&run](std::size_t part) { return run.expanded.begin() + static_cast<std::ptrdiff_t>(part); };
-        const std::size_t n = run.expanded.size();
-        drawCells(out, {at(n * shade / shades), at(n * (shade + 1) / shades)}, kExpanded[shade]);
+        const auto at = [&expanded](std::size_t part) { return expanded.begin() + static_cast<std::ptrdiff_t>(part); };
+        const std::size_t n = expanded.size();
+        drawCells(out, {at(n * shade / shades), at(n * (shade + 1) / shades)}, kExpandedColours[shade]);
     }
-    drawCells(out, byFate[static_cast<std::size_t>(Fate::CheckedUnused)], kUnused);
+    drawCells(out, byFate[static_cast<std::size_t>(Fate::CheckedUnused)], kUnusedColour);
 }
 
 void drawPath(std::ostream& out, const problems::GridProblem& problem, const Run& run, double pixel)
 {
     if (!run.path.empty())
     {
-        out << "<polyline fill=\"none\" stroke=\"" << kPath << "\" stroke-linejoin=\"round\" stroke-width=\""
+        out << "<polyline fill=\"none\" stroke=\"" << kPathColour << "\" stroke-linejoin=\"round\" stroke-width=\""
             << std::max(3.0 * pixel, 0.35) << "\" points=\"";
-        for (const GridCell& cell : run.path)
+        for (const GridCell& cell : cellsOf(run.path))
             out << cell[0] + 0.5 << ',' << cell[1] + 0.5 << ' ';
         out << "\"/>\n";
     }
@@ -100,8 +91,8 @@ void drawPath(std::ostream& out, const problems::GridProblem& problem, const Run
             << colour << "\" stroke=\"white\" stroke-width=\"" << radius / 4.0 << "\"><title>" << title
             << "</title></circle>\n";
     };
-    mark(problem.start, "#1a9641", "start");
-    mark(problem.goal, kPath, "goal");
+    mark(problem.start, kStartColour, "start");
+    mark(problem.goal, kPathColour, "goal");
 }
 
 void drawLegend(std::ostream& out, const Run& run, double top)
@@ -113,12 +104,12 @@ void drawLegend(std::ostream& out, const Run& run, double top)
         std::string text;
     };
     const std::array<Item, 5> items{
-        {{kExpanded[4], concat("expanded: ", report.expansions)},
+        {{kExpandedColours[4], concat("expanded: ", report.expansions)},
          {kOpen, "reached, not expanded"},
          {kInvalid, "found invalid"},
-         {kUnused, concat("checked ahead, never used: ",
-                          report.speculativeChecks - report.speculativeDropped - report.speculativeUsed)},
-         {kPath, run.solved() ? concat("path: ", fixed(report.cost, 2)) : "no path"}}};
+         {kUnusedColour, concat("checked ahead, never used: ",
+                                report.speculativeChecks - report.speculativeDropped - report.speculativeUsed)},
+         {kPathColour, run.solved() ? concat("path: ", fixed(report.cost, 2)) : "no path"}}};
     double x = kMargin;
     for (const Item& item : items)
     {
@@ -146,7 +137,7 @@ void drawSearch(std::ostream& out, const problems::GridProblem& problem, const R
         << "</text>\n<g transform=\"translate(" << kMargin << ',' << kMargin + 14 << ") scale(" << scale
         << ")\" shape-rendering=\"crispEdges\">\n<rect width=\"" << map.width() << "\" height=\"" << map.height()
         << "\" fill=\"#f7f7f5\"/>\n";
-    drawCells(out, wallsOf(map), kWall);
+    drawCells(out, wallsOf(map), kWallColour);
     drawStates(out, run);
     out << "<g shape-rendering=\"auto\">\n";
     drawPath(out, problem, run, 1.0 / scale);

@@ -24,6 +24,12 @@ std::string hashText(std::uint64_t hash)
     return text.str();
 }
 
+/// Whether SpeculativeAStar planned: of others there is no more than status, cost and time.
+bool isOurs(const Run& run)
+{
+    return run.plannerName == "SpeculativeAStar";
+}
+
 std::string percent(double share)
 {
     return fixed(100.0 * share, 1) + " %";
@@ -74,6 +80,12 @@ nlohmann::ordered_json toJson(const Run& run)
     json["problem"] = run.problem;
     json["status"] = report.status;
     json["cost"] = report.cost;
+    if (!isOurs(run))
+    {
+        json["wall_time_s"] = report.wallTime;
+        json["planner"] = run.plannerName;
+        return json;
+    }
     json["expansions"] = report.expansions;
     json["checks_used"] = report.checksUsed;
     json["checks_total"] = report.checksTotal;
@@ -94,6 +106,7 @@ nlohmann::ordered_json toJson(const Run& run)
     json["weight"] = run.settings.weight;
     json["evaluation"] = "eager";
     json["order_hash"] = hashText(report.orderHash);
+    json["planner"] = run.plannerName;
     return json;
 }
 
@@ -106,6 +119,12 @@ void printRun(std::ostream& out, const Run& run)
     line("status", report.status);
     if (run.solved())
         line("cost", concat(std::setprecision(9), report.cost, ", ", run.path.size(), " states"));
+    if (!isOurs(run))
+    {
+        line("planner", run.plannerName);
+        line("time", durationText(report.wallTime));
+        return;
+    }
     line("search", concat(policyText(run), ", ", report.threads, report.threads == 1 ? " thread" : " threads",
                           ", weight ", run.settings.weight));
     line("expansions", concat(report.expansions, ", order ", hashText(report.orderHash)));

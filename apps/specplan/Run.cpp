@@ -2,12 +2,15 @@
 #include "Run.h"
 
 #include <csignal>
+#include <limits>
 
 #include "Progress.h"
+#include "specplan/problems/PlannerCatalog.h"
 
 namespace specplan::command
 {
 namespace ob = ompl::base;
+using Clock = std::chrono::steady_clock;
 
 namespace
 {
@@ -19,18 +22,13 @@ extern "C" void noteInterrupt(int)
     std::signal(SIGINT, SIG_DFL);
 }
 
-/// Settings of a grid search, with what the user has chosen.
-PlannerSettings onGrid(const NamedProblem& problem, const CommonOptions& options, PlannerSettings settings)
+constexpr std::chrono::seconds kTimeForOthers{10};
+
+void notePath(Run& run)
 {
-    const PlannerSettings grid = problems::gridPlannerSettings(problem.cornerCutting);
-    settings.spacing = grid.spacing;
-    settings.anytime = grid.anytime;
-    settings.objectiveInChecks = grid.objectiveInChecks;
-    settings.connectivity = grid.connectivity;
-    settings.cornerCutting = grid.cornerCutting;
-    if (options.check.duration.count() > 0)
-        settings.virtualCheckCost = std::chrono::duration<double>(options.check.duration).count();
-    return settings;
+    const ob::StateSpace& space = *run.setup->getStateSpace();
+    for (const ob::State* state : run.setup->getSolutionPath().getStates())
+        space.copyToReals(run.path.emplace_back(), state);
 }
 }  // namespace
 
@@ -44,24 +42,25 @@ bool interrupted()
     return interruptSignals != 0;
 }
 
-Run planOnce(const NamedProblem& problem, const CommonOptions& options, const PlannerSettings& settings, bool keepOrder)
+Run planOnce(const Problem& problem, const CommonOptions& options, const PlannerSettings& settings, bool keepOrder)
 {
     Run run;
-    run.problem = problem.name;
-    run.settings = onGrid(problem, options, settings);
+    run.problem = problem.name();
+    run.settings = problem.settle(settings);
+    if (options.check.duration.count() > 0)
+        run.settings.virtualCheckCost = std::chrono::duration<double>(options.check.duration).count();
     // On the virtual clock checks take no real time.
     const bool simulated = settings.executor == "virtual";
-    run.setup = problems::makeGridSetup(problem.problem, problem.file, options.problem.cost,
-                                        simulated ? problems::ArtificialCheck{} : options.check);
+    run.setup = problem.makeSetup(simulated ? problems::ArtificialCheck{} : options.check);
     run.planner = std::make_shared<SpeculativeAStar>(run.setup->getSpaceInformation(), run.settings);
     run.setup->setPlanner(run.planner);
     if (keepOrder)
-        run.planner->setExpansionObserver([&run](const ob::State* state)
-                                          { run.expanded.push_back(problems::cellOf(state)); });
+        run.planner->setExpansionObserver(
+            [&run](const ob::State* state)
+            { run.setup->getStateSpace()->copyToReals(run.expanded.emplace_back(), state); });
 
-    using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
-    Progress progress(*run.planner, problem.name, settings);
+    Progress progress(*run.planner, problem.name(), settings);
     run.setup->solve(ob::PlannerTerminationCondition(
         [&]
         {
@@ -71,8 +70,31 @@ Run planOnce(const NamedProblem& problem, const CommonOptions& options, const Pl
     run.planner->setExpansionObserver({});
     run.report = run.planner->getReport();
     if (run.solved())
-        for (const ob::State* state : run.setup->getSolutionPath().getStates())
-            run.path.push_back(problems::cellOf(state));
+        notePath(run);
+    return run;
+}
+
+Run planOnceWith(const Problem& problem, const CommonOptions& options, const problems::PlannerRequest& request)
+{
+    Run run;
+    run.problem = problem.name();
+    run.setup = problem.makeSetup(options.check);
+    const ob::PlannerPtr planner =
+        problems::makePlanner(request.name, request.parameters, run.setup->getSpaceInformation());
+    run.plannerName = planner->getName();
+    run.setup->setPlanner(planner);
+
+    const Clock::time_point begin = Clock::now();
+    const Clock::time_point end = begin + options.timeLimit.value_or(kTimeForOthers);
+    const ob::PlannerStatus status =
+        run.setup->solve(ob::PlannerTerminationCondition([end] { return interrupted() || Clock::now() >= end; }));
+    run.report.wallTime = std::chrono::duration<double>(Clock::now() - begin).count();
+    run.report.cost = std::numeric_limits<double>::quiet_NaN();
+    run.report.status = status == ob::PlannerStatus::EXACT_SOLUTION ? "solved" : "timeout";
+    if (!run.solved())
+        return run;
+    run.report.cost = run.setup->getSolutionPath().cost(run.setup->getOptimizationObjective()).value();
+    notePath(run);
     return run;
 }
 }  // namespace specplan::command

@@ -8,9 +8,10 @@
 #include <ompl/geometric/SimpleSetup.h>
 
 #include "Options.h"
-#include "ProblemFile.h"
+#include "Problem.h"
 #include "specplan/planner/SearchReport.h"
 #include "specplan/planner/SpeculativeAStar.h"
+#include "specplan/problems/OmplAppProblem.h"
 
 namespace specplan::command
 {
@@ -18,12 +19,13 @@ namespace specplan::command
 struct Run
 {
     std::string problem;
+    std::string plannerName = "SpeculativeAStar";
     PlannerSettings settings;
     SearchReport report;
     std::shared_ptr<SpeculativeAStar> planner;            ///< empty once results are all that is wanted
     std::shared_ptr<ompl::geometric::SimpleSetup> setup;  ///< likewise
-    std::vector<problems::GridCell> expanded;             ///< in order, if asked for
-    std::vector<problems::GridCell> path;                 ///< empty if there is none
+    std::vector<std::vector<double>> expanded;            ///< in order, if asked for; as numbers (copyToReals)
+    std::vector<std::vector<double>> path;                ///< empty if there is none
 
     /// Seconds from start to end on the clock of the executor.
     [[nodiscard]] double seconds() const
@@ -38,9 +40,14 @@ struct Run
 };
 
 /// Plans once. The search stops early at the time limit, or when the user interrupts the program.
-/// \param keepOrder whether to note the expanded cells.
-[[nodiscard]] Run planOnce(const NamedProblem& problem, const CommonOptions& options, const PlannerSettings& settings,
+/// \param keepOrder whether to note the expanded states.
+[[nodiscard]] Run planOnce(const Problem& problem, const CommonOptions& options, const PlannerSettings& settings,
                            bool keepOrder);
+
+/// The same with any planner, for comparison. Without a time limit it has ten seconds: many of OMPL's planners use all
+/// the time there is. Of the report only status, cost and wall time mean anything.
+[[nodiscard]] Run planOnceWith(const Problem& problem, const CommonOptions& options,
+                               const problems::PlannerRequest& request);
 
 /// From now on Ctrl-C stops the search and leaves what has been found; a second one ends the program.
 void stopOnInterrupt();

@@ -31,7 +31,7 @@ void compare(Run& run, const Run& baseline)
 class Experiment
 {
 public:
-    Experiment(const NamedProblem& problem, const SpeedupOptions& options, Table* table)
+    Experiment(const Problem& problem, const SpeedupOptions& options, Table* table)
         : problem_(problem), options_(options), table_(table)
     {
     }
@@ -75,7 +75,7 @@ private:
         run.setup.reset();
     }
 
-    const NamedProblem& problem_;
+    const Problem& problem_;
     const SpeedupOptions& options_;
     Table* table_;
 };
@@ -83,7 +83,7 @@ private:
 
 int speedup(const SpeedupOptions& options, std::ostream& out)
 {
-    std::vector<NamedProblem> problems;
+    std::vector<std::unique_ptr<Problem>> problems;
     for (const std::string& file : options.problem.files)
         problems.push_back(readProblem(file, options.problem));
     for (const std::string& file : {options.csvFile, options.plotFile})
@@ -94,8 +94,8 @@ int speedup(const SpeedupOptions& options, std::ostream& out)
 
     Table table(out);
     std::vector<Run> runs;
-    for (const NamedProblem& problem : problems)
-        Experiment(problem, options, options.json ? nullptr : &table).run(runs);
+    for (const auto& problem : problems)
+        Experiment(*problem, options, options.json ? nullptr : &table).run(runs);
 
     if (!options.csvFile.empty())
         problems::writeFile(options.csvFile, [&runs](std::ostream& file) { writeCsv(file, runs); });

@@ -56,4 +56,12 @@ std::string durationText(double seconds)
         return fixed(seconds * 1e3, 1) + " ms";
     return fixed(seconds, 2) + " s";
 }
+
+std::string escaped(const std::string& text)
+{
+    std::string out;
+    for (const char c : text)
+        out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+    return out;
+}
 }  // namespace specplan::command

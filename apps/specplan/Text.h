@@ -20,4 +20,7 @@ namespace specplan::command
 
 /// A number with so many places behind the point.
 [[nodiscard]] std::string fixed(double value, int places);
+
+/// Text as XML wants it.
+[[nodiscard]] std::string escaped(const std::string& text);
 }  // namespace specplan::command

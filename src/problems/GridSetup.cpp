@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
@@ -32,26 +31,12 @@ public:
 
     bool isValid(const ob::State* state) const override
     {
-        if (check_.duration.count() > 0)
-            pass();
+        pass(check_);
         const GridCell cell = cellOf(state);
         return map_.isFree(cell[0], cell[1]);
     }
 
 private:
-    void pass() const
-    {
-        if (!check_.busy)
-        {
-            std::this_thread::sleep_for(check_.duration);
-            return;
-        }
-        const auto end = std::chrono::steady_clock::now() + check_.duration;
-        while (std::chrono::steady_clock::now() < end)
-        {
-        }
-    }
-
     GridMap map_;
     ArtificialCheck check_;
 };

@@ -182,7 +182,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"", "subcommand"}, BadCall{"fly", "subcommand"}, BadCall{"plan", "PROBLEM"},
         BadCall{"plan none.map --start 0,0 --goal 1,1", "none.map: cannot be read"},
         BadCall{"plan OUT --start 0,0 --goal 1,1", "found a directory"},
-        BadCall{"plan problem.cfg", "problem.cfg: OMPL.app problems cannot be read yet"},
+        BadCall{"plan problem.cfg", "problem.cfg: cannot be read"},
         BadCall{"plan MAP", "small.map: a map needs --start x,y and --goal x,y, or --scen"},
         BadCall{"plan MAP --start 0,0", "--start and --goal together"},
         BadCall{"plan MAP --start 0:0 --goal 2,1", "--start: expected a cell x,y"},

@@ -26,7 +26,7 @@ TEST(Documentation, ReadmeQuotesTheDropInDemoAsItIs)
 
 TEST(Documentation, HelpNamesEveryOptionOfTheReadme)
 {
-    const std::string help = call("plan --help").out + call("speedup --help").out;
+    const std::string help = call("plan --help").out + call("speedup --help").out + call("benchmark --help").out;
     const std::string readme = projectFile("README.md");
     int options = 0;
     for (auto at = readme.find(" --"); at != std::string::npos; at = readme.find(" --", at + 1))

@@ -19,12 +19,16 @@ run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${WORK_DIR}/build" -G 
   "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
   "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
   "-DEXPECT_PLANNER=${EXPECT_PLANNER}"
+  "-DEXPECT_FCL=${EXPECT_FCL}"
 )
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --config "${CONFIG}")
 
 set(programs use_core)
 if(EXPECT_PLANNER)
   list(APPEND programs use_planner)
+endif()
+if(EXPECT_FCL)
+  list(APPEND programs use_fcl)
 endif()
 foreach(program IN LISTS programs)
   file(GLOB_RECURSE path "${WORK_DIR}/build/${program}")

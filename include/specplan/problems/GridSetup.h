@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <string>
 
 #include <ompl/geometric/SimpleSetup.h>
 
 #include "specplan/planner/PlannerSettings.h"
+#include "specplan/problems/ArtificialCheck.h"
 #include "specplan/problems/GridMap.h"
 
 namespace specplan::problems
@@ -18,13 +18,6 @@ enum class GridCost
     Length,  ///< octile path length
     Steps,   ///< 1 a move, with the number of moves on an empty map as heuristic
     Seed     ///< 1 a move, with the straight distance as heuristic as in the paper's program; not admissible
-};
-
-/// Time that each check takes besides looking the cell up.
-struct ArtificialCheck
-{
-    std::chrono::nanoseconds duration{0};
-    bool busy = false;  ///< burn CPU instead of sleeping
 };
 
 /// Makes an OMPL problem of a grid: the state (x, y) is the middle of that cell, the plane is as large as the map, a

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RigidBodyProblem.h"
+
+#include <iostream>
+
+#include <ompl/base/goals/GoalState.h>
+
+#include "RigidBodyPicture.h"
+#include "Run.h"
+#include "specplan/problems/InputError.h"
+#include "specplan/problems/fcl/RigidBodySetup.h"
+
+namespace specplan::command
+{
+namespace ob = ompl::base;
+using problems::concat;
+using problems::InputError;
+using problems::RigidBodySetup;
+
+namespace
+{
+/// A rigid body among obstacles.
+class RigidBodyProblem : public Problem
+{
+public:
+    explicit RigidBodyProblem(RigidBodySetup setup) : Problem(setup.problem().file), setup_(std::move(setup))
+    {
+    }
+
+    [[nodiscard]] std::shared_ptr<ompl::geometric::SimpleSetup> makeSetup(
+        problems::ArtificialCheck check) const override
+    {
+        return setup_.makeSetup(check);
+    }
+
+    [[nodiscard]] PlannerSettings settle(PlannerSettings chosen) const override
+    {
+        chosen.anytime = false;  // the first path that is within the weight ends it
+        return chosen;
+    }
+
+    void draw(std::ostream& out, const Run& run) const override
+    {
+        drawSearch(out, setup_, run);
+    }
+
+    void describe(nlohmann::ordered_json& trace, const Run& run) const override
+    {
+        const ob::ProblemDefinition& definition = *run.setup->getProblemDefinition();
+        const auto numbers = [&run](const ob::State* state)
+        {
+            std::vector<double> reals;
+            run.setup->getStateSpace()->copyToReals(reals, state);
+            return reals;
+        };
+        const ob::RealVectorBounds& bounds = setup_.bounds();
+        trace["planar"] = setup_.problem().planar;
+        trace["bounds"] = {{"low", bounds.low}, {"high", bounds.high}};
+        trace["start"] = numbers(definition.getStartState(0));
+        trace["goal"] = numbers(definition.getGoal()->as<ob::GoalState>()->getState());
+        trace["expanded"] = run.expanded;
+        trace["path"] = run.path;
+    }
+
+    [[nodiscard]] BenchmarkWishes benchmarkWishes() const override
+    {
+        const problems::OmplAppProblem& problem = setup_.problem();
+        return {problem.name, problem.planners, problem.timeLimit, problem.memoryLimit, problem.runCount};
+    }
+
+private:
+    RigidBodySetup setup_;
+};
+
+/// Options that only maps have.
+void refuseMapOptions(const std::string& file, const ProblemOptions& options)
+{
+    const char* option = options.start                                ? "--start"
+                         : options.goal                               ? "--goal"
+                         : !options.scenario.empty()                  ? "--scen"
+                         : options.cornerCutting                      ? "--corner-cutting"
+                         : options.cost != problems::GridCost::Length ? "--cost"
+                                                                      : nullptr;
+    if (option != nullptr)
+        throw InputError(concat(option, ": expected a map with this; ", file, " says itself what is wanted"));
+}
+}  // namespace
+
+std::unique_ptr<Problem> readRigidBodyProblem(const std::string& file, const ProblemOptions& options)
+{
+    refuseMapOptions(file, options);
+    RigidBodySetup setup(problems::readOmplAppProblem(file));
+    for (const std::string& warning : setup.warnings())
+        std::cerr << "specplan: warning: " << warning << '\n';
+    return std::make_unique<RigidBodyProblem>(std::move(setup));
+}
+}  // namespace specplan::command

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <ompl/base/spaces/RealVectorBounds.h>
+#include <ompl/geometric/SimpleSetup.h>
+
+#include "specplan/problems/ArtificialCheck.h"
+#include "specplan/problems/OmplAppProblem.h"
+#include "specplan/problems/fcl/Mesh.h"
+#include "specplan/problems/fcl/RigidBodyScene.h"
+
+namespace specplan::problems
+{
+/// A rigid-body problem with its meshes, ready to be set up for OMPL any number of times.
+///
+/// As in OMPL.app the robot's mesh is moved so that the mean of its vertices is the origin (in the plane only along x
+/// and y), bounds that the file does not give are those of the world, and bounds are enlarged to hold start and goal.
+class RigidBodySetup
+{
+public:
+    /// Reads the meshes. \throws InputError, one line: a mesh cannot be used, the robot is larger than the world, or
+    /// start or goal collides.
+    explicit RigidBodySetup(OmplAppProblem problem);
+
+    /// A fresh SimpleSetup with space, bounds, checker, start, goal and objective, but no planner.
+    /// \param check what each check takes besides its own work.
+    [[nodiscard]] std::shared_ptr<ompl::geometric::SimpleSetup> makeSetup(ArtificialCheck check = {}) const;
+
+    [[nodiscard]] const OmplAppProblem& problem() const noexcept
+    {
+        return problem_;
+    }
+
+    /// The robot about its reference point.
+    [[nodiscard]] const Mesh& robot() const noexcept
+    {
+        return robot_;
+    }
+
+    [[nodiscard]] const Mesh& world() const noexcept
+    {
+        return world_;
+    }
+
+    [[nodiscard]] const std::shared_ptr<const RigidBodyScene>& scene() const noexcept
+    {
+        return scene_;
+    }
+
+    /// Bounds of the reference point: two axes in the plane, three in space.
+    [[nodiscard]] const ompl::base::RealVectorBounds& bounds() const noexcept
+    {
+        return bounds_;
+    }
+
+    /// What the file says and nobody heeds, and what is odd about the problem; one line each.
+    [[nodiscard]] const std::vector<std::string>& warnings() const noexcept
+    {
+        return problem_.warnings;
+    }
+
+private:
+    void findBounds();
+    void requireFitting() const;
+    void requireFree(const RigidPose& pose, const char* what) const;
+    [[nodiscard]] ompl::base::StateSpacePtr makeSpace() const;
+
+    OmplAppProblem problem_;
+    Mesh robot_;
+    Mesh world_;
+    std::shared_ptr<const RigidBodyScene> scene_;
+    ompl::base::RealVectorBounds bounds_;
+};
+}  // namespace specplan::problems

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A user's program: is a ball clear of a box?
+#include <array>
+
+#include <specplan/problems/fcl/RigidBodyScene.h>
+
+int main()
+{
+    const specplan::problems::RigidBodyScene scene({specplan::problems::RigidBody().addSphere(0.5)},
+                                                   specplan::problems::RigidBody().addBox({1.0, 1.0, 1.0}));
+    std::array poses{Eigen::Isometry3d::Identity()};
+    const bool inside = scene.collides(poses);
+    poses[0].translation().x() = 1.1;
+    return inside && !scene.collides(poses) ? 0 : 1;
+}
