@@ -3,13 +3,13 @@
 // forward (Dubins), and as one that also backs up (Reeds-Shepp). The checker is plain C++.
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
