@@ -108,19 +108,11 @@ bool LazyTree::repair(std::size_t budget)
     return true;
 }
 
-void LazyTree::expand(NodeId node)
+/// A better way to the node was found: passes it on.
+void LazyTree::expand(NodeId id)
 {
     ++expansions_;
-    connect(node);
-    if (nodes_[node].rhs < nodes_[node].g)
-        lower(node);
-    else
-        raise(node);
-}
-
-/// A better way to the node was found: pass it on.
-void LazyTree::lower(NodeId id)
-{
+    connect(id);
     set(id, nodes_[id].rhs, nodes_[id].rhs, nodes_[id].via);
     const double g = nodes_[id].g;
     const EdgeId first = nodes_[id].firstOut;
@@ -136,39 +128,90 @@ void LazyTree::lower(NodeId id)
     }
 }
 
-/// The way to the node is lost: whoever came through it looks for another one.
-void LazyTree::raise(NodeId id)
+/// The way to the node may be lost: so may be those of all that came through it. They look for others together.
+void LazyTree::lose(NodeId id)
 {
-    set(id, kUnreached, nodes_[id].rhs, nodes_[id].via);
-    const EdgeId first = nodes_[id].firstOut;
-    const EdgeId end = first + nodes_[id].out;
-    for (EdgeId e = first; e < end; ++e)
-        if (nodes_[edges_[e].to].via == e)
-            look(edges_[e].to);
+    lost_.clear();
+    doubt(id);
+    for (std::size_t i = 0; i < lost_.size(); ++i)
+    {
+        const EdgeId first = nodes_[lost_[i]].firstOut;
+        const EdgeId end = first == kNoEdge ? first : first + nodes_[lost_[i]].out;
+        for (EdgeId e = first; e < end; ++e)
+            if (nodes_[edges_[e].to].via == e)
+                doubt(edges_[e].to);
+    }
+    for (const NodeId lost : lost_)
+        look(lost);
 }
 
-/// Finds the best way into a node among its predecessors.
+/// Finds another way of the same cost into a node, or counts it among the lost.
+void LazyTree::doubt(NodeId id)
+{
+    const Node& node = nodes_[id];
+    if (node.start || node.rhs == kUnreached)
+        return;
+    EdgeId via = kNoEdge;
+    visitInto(id,
+              [&](const Into::Motion& into)
+              {
+                  const double g = nodes_[into.from].g;
+                  if (g + into.cost <= node.rhs && g + costOf(edges_[into.edge]) == node.rhs)
+                      via = into.edge;
+                  return via == kNoEdge;
+              });
+    if (via != kNoEdge)
+        set(id, node.g, node.rhs, via);
+    else
+    {
+        set(id, kUnreached, kUnreached, kNoEdge);
+        lost_.push_back(id);
+    }
+}
+
+/// Finds the best way into a node.
 void LazyTree::look(NodeId id)
 {
     const Node& node = nodes_[id];
-    if (node.start)
+    if (node.start || node.verdict == Verdict::Invalid)
         return;
     double rhs = kUnreached;
     EdgeId via = kNoEdge;
-    if (node.verdict != Verdict::Invalid)
-        for (EdgeId e = node.firstIn; e != kNoEdge; e = edges_[e].nextIn)
-        {
-            const Edge& edge = edges_[e];
-            const double g = nodes_[edge.from].g;
-            if (!(g + edge.cost < rhs))
-                continue;
-            if (const double cost = g + costOf(edge); cost < rhs)
-            {
-                rhs = cost;
-                via = e;
-            }
-        }
+    visitInto(id,
+              [&](const Into::Motion& into)
+              {
+                  const double g = nodes_[into.from].g;
+                  if (g + into.cost < rhs)
+                      if (const double cost = g + costOf(edges_[into.edge]); cost < rhs)
+                      {
+                          rhs = cost;
+                          via = into.edge;
+                      }
+                  return true;
+              });
     set(id, node.g, rhs, via);
+}
+
+/// Visits the known motions into a node until told to stop.
+template <typename Visit>
+void LazyTree::visitInto(NodeId id, Visit visit) const
+{
+    for (std::uint32_t block = nodes_[id].firstIn; block != kNoEdge; block = into_[block].next)
+        for (std::uint32_t i = 0; i < into_[block].count; ++i)
+            if (!visit(into_[block].motions[i]))
+                return;
+}
+
+void LazyTree::addInto(NodeId id, const Into::Motion& motion)
+{
+    const std::uint32_t first = nodes_[id].firstIn;
+    if (first == kNoEdge || into_[first].count == into_[first].motions.size())
+    {
+        into_.push_back({{}, 0, first});
+        nodes_[id].firstIn = static_cast<std::uint32_t>(into_.size() - 1);
+    }
+    Into& into = into_[nodes_[id].firstIn];
+    into.motions[into.count++] = motion;
 }
 
 void LazyTree::set(NodeId id, double g, double rhs, EdgeId via)
@@ -211,10 +254,9 @@ void LazyTree::connect(NodeId id)
     nodes_[id].out = static_cast<std::uint16_t>(successors_.edges.size());
     for (const lattice::Successors::Edge& motion : successors_.edges)
     {
-        Node& to = touch(motion.node);
-        const auto e = static_cast<EdgeId>(edges_.size());
-        edges_.push_back({rounded(motion.cost), id, motion.node, to.firstIn, 0});
-        to.firstIn = e;
+        touch(motion.node);
+        edges_.push_back({rounded(motion.cost), id, motion.node, 0});
+        addInto(motion.node, {edges_.back().cost, id, static_cast<EdgeId>(edges_.size() - 1)});
         if (motion.inner == 0)
             continue;
         if (inner_.empty())
@@ -265,7 +307,7 @@ bool LazyTree::findPath(std::vector<EdgeId>& path)
         const EdgeId best = bestInto(node);
         if (best == kNoEdge)
         {
-            look(node);
+            lose(node);
             return false;
         }
         path.push_back(best);
@@ -279,13 +321,15 @@ LazyTree::EdgeId LazyTree::bestInto(NodeId id) const
 {
     const Node& node = nodes_[id];
     EdgeId best = kNoEdge;
-    for (EdgeId e = node.firstIn; e != kNoEdge; e = edges_[e].nextIn)
-    {
-        const Edge& edge = edges_[e];
-        const double g = nodes_[edge.from].g;
-        if (g + edge.cost <= node.g && g + costOf(edge) == node.g && (best == kNoEdge || comesBefore(e, best)))
-            best = e;
-    }
+    visitInto(id,
+              [&](const Into::Motion& into)
+              {
+                  const double g = nodes_[into.from].g;
+                  if (g + into.cost <= node.g && g + costOf(edges_[into.edge]) == node.g &&
+                      (best == kNoEdge || comesBefore(into.edge, best)))
+                      best = into.edge;
+                  return true;
+              });
     return best;
 }
 
@@ -306,12 +350,14 @@ void LazyTree::enter(CheckId check, bool valid)
             motions_.resize(std::max<std::size_t>(check.motion() + std::size_t{1}, motions_.size() * 2));
         motions_[check.motion()] = verdict;
         if (!valid)
-            look(lattice_.motion(check.motion()).to);
+            lose(lattice_.motion(check.motion()).to);
         return;
     }
     const NodeId node = check.node();
     touch(node).verdict = verdict;
-    if (!valid || weight_ > 1.0)
+    if (!valid)
+        lose(node);
+    else if (weight_ > 1.0)
         look(node);
 }
 

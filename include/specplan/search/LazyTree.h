@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -21,7 +22,9 @@ using lattice::NodeId;
 ///
 /// Idea: Lifelong Planning A* (Koenig, Likhachev, Furcy 2004). A node is consistent if its g is what its predecessors
 /// promise, its rhs; a verdict makes some nodes inconsistent, and only these and what depends on them is looked at
-/// again. A motion to a state not known to be valid costs `weight` times as much, which draws the path to known states.
+/// again. What a verdict closes is found at once, before anything else is repaired (Ramalingam, Reps 1996): so no node
+/// is repaired twice for one verdict. A motion to a state not known to be valid costs `weight` times as much, which
+/// draws the path to known states.
 ///
 /// Every change can be written to a journal and taken back exactly, so that a search may try out verdicts.
 ///
@@ -120,13 +123,13 @@ private:
     {
         double g = kUnreached;
         double rhs = kUnreached;
-        double h = -1.0;             ///< negative: not asked yet
-        std::uint64_t rank = 0;      ///< breaks ties on OPEN; from the coordinates
-        std::uint64_t recorded = 0;  ///< journal that has this node's values
-        EdgeId via = kNoEdge;        ///< the motion that rhs comes from
-        EdgeId firstOut = kNoEdge;   ///< motions out of the node, once they were asked for
-        EdgeId firstIn = kNoEdge;    ///< list of the known motions into the node
-        std::uint16_t out = 0;       ///< number of motions out of the node
+        double h = -1.0;                  ///< negative: not asked yet
+        std::uint64_t rank = 0;           ///< breaks ties on OPEN; from the coordinates
+        std::uint64_t recorded = 0;       ///< journal that has this node's values
+        EdgeId via = kNoEdge;             ///< the motion that rhs comes from
+        EdgeId firstOut = kNoEdge;        ///< motions out of the node, once they were asked for
+        std::uint32_t firstIn = kNoEdge;  ///< block of known motions into the node
+        std::uint16_t out = 0;            ///< number of motions out of the node
         validity::Verdict verdict = validity::Verdict::Unknown;
         bool start = false;
         bool goal = false;
@@ -137,14 +140,28 @@ private:
         double cost;  ///< rounded
         NodeId from;
         NodeId to;
-        EdgeId nextIn;        ///< next motion into the same node
-        std::uint32_t inner;  ///< first of its checks in inner_, behind their number; 0 if there are none
+        std::uint32_t inner;  ///< first of its checks in inner_; 0 if there are none
+    };
+
+    /// Known motions into one node; what is looked at of them lies together.
+    struct Into
+    {
+        struct Motion
+        {
+            double cost;
+            NodeId from;
+            EdgeId edge;
+        };
+
+        std::array<Motion, 8> motions;
+        std::uint32_t count;
+        std::uint32_t next;  ///< block with further ones, or kNoEdge
     };
 
     [[nodiscard]] bool isDone();
     void expand(NodeId node);
-    void lower(NodeId node);
-    void raise(NodeId node);
+    void lose(NodeId node);
+    void doubt(NodeId node);
     void look(NodeId node);
     void set(NodeId node, double g, double rhs, EdgeId via);
     void place(NodeId node);
@@ -155,6 +172,9 @@ private:
     [[nodiscard]] double rounded(double cost) const noexcept;
     [[nodiscard]] EdgeId bestInto(NodeId node) const;
     [[nodiscard]] bool comesBefore(EdgeId edge, EdgeId other) const;
+    template <typename Visit>
+    void visitInto(NodeId node, Visit visit) const;
+    void addInto(NodeId node, const Into::Motion& motion);
     Node& touch(NodeId node);
 
     lattice::Lattice& lattice_;
@@ -163,6 +183,7 @@ private:
     double unit_ = 0.0;  ///< costs are multiples of it; 0 before the first start
     std::vector<Node> nodes_;
     std::vector<Edge> edges_;
+    std::vector<Into> into_;
     std::vector<CheckId> inner_;
     std::vector<std::uint32_t> innerCounts_;  ///< parallel to inner_: number of checks from there on in their motion
     std::vector<validity::Verdict> motions_;
@@ -173,6 +194,7 @@ private:
     Journal* journal_ = nullptr;
     std::uint64_t journals_ = 0;
     std::uint64_t expansions_ = 0;
+    std::vector<NodeId> lost_;        ///< scratch of lose()
     lattice::Successors successors_;  ///< scratch of connect()
 };
 }  // namespace specplan::search
