@@ -142,7 +142,7 @@ void LazySearch::enter(CheckId check, bool valid)
         predictor_.learned(check.node(), valid);
     tree_.enter(check, valid);
     plan_ = Plan::Unfinished;
-    if (!valid || tree_.isWeighted())
+    if (!valid)
         pathHolds_ = false;
     else
         std::erase(check.isMotion() ? unknownMotions_ : unknownStates_, check);

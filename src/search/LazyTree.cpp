@@ -22,8 +22,8 @@ constexpr int kUnitBits = 32;
 /// and all nodes on equally short paths come before the goal.
 constexpr double kShorter = 1.0 - 0x1p-26;
 
-/// Beyond this factor a greater weight only makes the tree larger.
-constexpr double kMostWeight = 8.0;
+/// A greater weight saves no checks, but nodes are expanded over and over.
+constexpr double kMostWeight = 2.0;
 }  // namespace
 
 LazyTree::LazyTree(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, double weight)
@@ -54,7 +54,7 @@ void LazyTree::addGoal(NodeId goal)
 void LazyTree::chooseUnit(NodeId start)
 {
     lattice_.successors(start, successors_);
-    double scale = touch(start).h * 0x1p-10;
+    double scale = heuristic_.estimate(start) * 0x1p-10;
     for (const lattice::Successors::Edge& edge : successors_.edges)
         scale = std::max(scale, edge.cost);
     int exponent = 0;
@@ -122,7 +122,7 @@ void LazyTree::expand(NodeId id)
         const Edge& edge = edges_[e];
         const Node& to = nodes_[edge.to];
         if (!(g + edge.cost < to.rhs))
-            continue;  // nor with a weight
+            continue;
         if (const double rhs = g + costOf(edge); rhs < to.rhs)
             set(edge.to, to.g, rhs, e);
     }
@@ -151,15 +151,7 @@ void LazyTree::doubt(NodeId id)
     const Node& node = nodes_[id];
     if (node.start || node.rhs == kUnreached)
         return;
-    EdgeId via = kNoEdge;
-    visitInto(id,
-              [&](const Into::Motion& into)
-              {
-                  const double g = nodes_[into.from].g;
-                  if (g + into.cost <= node.rhs && g + costOf(edges_[into.edge]) == node.rhs)
-                      via = into.edge;
-                  return via == kNoEdge;
-              });
+    const EdgeId via = bestInto(id);
     if (via != kNoEdge)
         set(id, node.g, node.rhs, via);
     else
@@ -181,25 +173,25 @@ void LazyTree::look(NodeId id)
               [&](const Into::Motion& into)
               {
                   const double g = nodes_[into.from].g;
-                  if (g + into.cost < rhs)
-                      if (const double cost = g + costOf(edges_[into.edge]); cost < rhs)
-                      {
-                          rhs = cost;
-                          via = into.edge;
-                      }
-                  return true;
+                  if (!(g + into.cost <= rhs) || g == kUnreached)
+                      return;
+                  const double cost = g + costOf(edges_[into.edge]);
+                  if (cost < rhs || (cost == rhs && cost < kUnreached && comesBefore(into.edge, via)))
+                  {
+                      rhs = cost;
+                      via = into.edge;
+                  }
               });
     set(id, node.g, rhs, via);
 }
 
-/// Visits the known motions into a node until told to stop.
+/// Visits the known motions into a node. In no particular order: which of equals is taken must not depend on it.
 template <typename Visit>
 void LazyTree::visitInto(NodeId id, Visit visit) const
 {
     for (std::uint32_t block = nodes_[id].firstIn; block != kNoEdge; block = into_[block].next)
         for (std::uint32_t i = 0; i < into_[block].count; ++i)
-            if (!visit(into_[block].motions[i]))
-                return;
+            visit(into_[block].motions[i]);
 }
 
 void LazyTree::addInto(NodeId id, const Into::Motion& motion)
@@ -282,10 +274,7 @@ std::span<const CheckId> LazyTree::innerOf(EdgeId edge) const noexcept
 
 double LazyTree::costOf(const Edge& edge) const noexcept
 {
-    const Verdict end = nodes_[edge.to].verdict;
-    if (end == Verdict::Invalid || isClosed(edge))
-        return kUnreached;
-    return end == Verdict::Valid || weight_ == 1.0 ? edge.cost : rounded(edge.cost * weight_);
+    return nodes_[edge.to].verdict == Verdict::Invalid || isClosed(edge) ? kUnreached : edge.cost;
 }
 
 /// Whether something inside or beside the motion is known to be invalid.
@@ -316,7 +305,7 @@ bool LazyTree::findPath(std::vector<EdgeId>& path)
     return true;
 }
 
-/// The motion by which the shortest path comes into a consistent node; kNoEdge if its values no longer hold.
+/// The motion by which the shortest path comes into a node; kNoEdge if its values no longer hold.
 LazyTree::EdgeId LazyTree::bestInto(NodeId id) const
 {
     const Node& node = nodes_[id];
@@ -325,10 +314,9 @@ LazyTree::EdgeId LazyTree::bestInto(NodeId id) const
               [&](const Into::Motion& into)
               {
                   const double g = nodes_[into.from].g;
-                  if (g + into.cost <= node.g && g + costOf(edges_[into.edge]) == node.g &&
+                  if (g + into.cost <= node.rhs && g + costOf(edges_[into.edge]) == node.rhs &&
                       (best == kNoEdge || comesBefore(into.edge, best)))
                       best = into.edge;
-                  return true;
               });
     return best;
 }
@@ -357,8 +345,6 @@ void LazyTree::enter(CheckId check, bool valid)
     touch(node).verdict = verdict;
     if (!valid)
         lose(node);
-    else if (weight_ > 1.0)
-        look(node);
 }
 
 Verdict LazyTree::verdict(CheckId check) const noexcept
@@ -399,7 +385,7 @@ LazyTree::Node& LazyTree::touch(NodeId id)
     Node& node = nodes_[id];
     if (node.h < 0.0)
     {
-        node.h = heuristic_.estimate(id) * kShorter;
+        node.h = weight_ * kShorter * heuristic_.estimate(id);
         node.rank = util::hashCoordinates(lattice_.coordinates(id));
     }
     return node;

@@ -23,8 +23,8 @@ using lattice::NodeId;
 /// Idea: Lifelong Planning A* (Koenig, Likhachev, Furcy 2004). A node is consistent if its g is what its predecessors
 /// promise, its rhs; a verdict makes some nodes inconsistent, and only these and what depends on them is looked at
 /// again. What a verdict closes is found at once, before anything else is repaired (Ramalingam, Reps 1996): so no node
-/// is repaired twice for one verdict. A motion to a state not known to be valid costs `weight` times as much, which
-/// draws the path to known states.
+/// is repaired twice for one verdict. With a weight the estimates count for more, and the path is at most `weight`
+/// times as long as the shortest.
 ///
 /// Every change can be written to a journal and taken back exactly, so that a search may try out verdicts.
 ///
@@ -99,12 +99,6 @@ public:
         return edge - nodes_[edges_[edge].from].firstOut;
     }
 
-    /// Whether unknown motions cost more than known ones.
-    [[nodiscard]] bool isWeighted() const noexcept
-    {
-        return weight_ > 1.0;
-    }
-
     [[nodiscard]] bool isGoal(NodeId node) const noexcept
     {
         return node < nodes_.size() && nodes_[node].goal;
@@ -123,7 +117,7 @@ private:
     {
         double g = kUnreached;
         double rhs = kUnreached;
-        double h = -1.0;                  ///< negative: not asked yet
+        double h = -1.0;                  ///< weighted; negative: not asked yet
         std::uint64_t rank = 0;           ///< breaks ties on OPEN; from the coordinates
         std::uint64_t recorded = 0;       ///< journal that has this node's values
         EdgeId via = kNoEdge;             ///< the motion that rhs comes from
