@@ -29,12 +29,13 @@ struct Case
 
 using Suite = std::vector<Case>;
 
-/// The largest scenes that come with the project, each with its longest query.
-Suite bundledSuite(const std::string& scenes)
+/// Scenes of this size that come with the project, each with its longest query.
+Suite bundledSuite(const std::string& scenes, const std::string& size)
 {
     Suite suite;
-    for (const std::string name : {"city-256", "maze-256", "random-256", "rooms-256"})
+    for (const std::string kind : {"city-", "maze-", "random-", "rooms-"})
     {
+        const std::string name = kind + size;
         const std::string file = scenes + "/" + name + ".map";
         const auto entry = problems::readMovingAiScenario(file + ".scen").back();
         suite.push_back(
@@ -138,9 +139,9 @@ void printLazySuites(const std::string& folder, const char* data)
     problems::writeFile(folder + "/lazy.csv",
                         [data](std::ostream& csv)
                         {
-                            csv << "problem,selector,workers,weight,checks_used,checks_run,virtual_time,speedup,"
+                            csv << "problem,selector,workers,checks_used,checks_run,virtual_time,speedup,"
                                    "accuracy,expansions,search_ns_per_check\n";
-                            printLazyTables(lazySuite(bundledSuite(SPECPLAN_SCENES_DIR)), "bundled scenes", csv);
+                            printLazyTables(lazySuite(bundledSuite(SPECPLAN_SCENES_DIR, "128")), "bundled scenes", csv);
                             if (data != nullptr)
                                 printLazyTables(lazySuite(publishedSuite(data)), "published maps", csv);
                         });
@@ -201,15 +202,16 @@ int main(int argc, char** argv)
         if (data != nullptr && *data == '\0')
             data = nullptr;
         if (!lazyOnly)
-            problems::writeFile(
-                folder + "/virtual.csv",
-                [data](std::ostream& csv)
-                {
-                    benchmarks::Bench bench(csv);
-                    benchmarks::printSuite(bench, benchmarks::bundledSuite(SPECPLAN_SCENES_DIR), "bundled scenes");
-                    if (data != nullptr)
-                        benchmarks::printSuite(bench, benchmarks::publishedSuite(data), "published maps");
-                });
+            problems::writeFile(folder + "/virtual.csv",
+                                [data](std::ostream& csv)
+                                {
+                                    benchmarks::Bench bench(csv);
+                                    benchmarks::printSuite(bench, benchmarks::bundledSuite(SPECPLAN_SCENES_DIR, "256"),
+                                                           "bundled scenes");
+                                    if (data != nullptr)
+                                        benchmarks::printSuite(bench, benchmarks::publishedSuite(data),
+                                                               "published maps");
+                                });
         benchmarks::printLazySuites(folder, data);
     }
     catch (const std::exception& error)

@@ -23,9 +23,8 @@ constexpr std::size_t kMostForGuess = 20000;
 constexpr double kSure = 0.9;
 }  // namespace
 
-LazySearch::LazySearch(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker,
-                       double weight)
-    : lattice_(lattice), broker_(broker), tree_(lattice, heuristic, weight), predictor_(lattice)
+LazySearch::LazySearch(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker)
+    : lattice_(lattice), broker_(broker), tree_(lattice, heuristic), predictor_(lattice)
 {
 }
 

@@ -21,13 +21,10 @@ constexpr int kUnitBits = 32;
 /// Estimates are shortened by this share, which is more than rounding can take off the costs: so they stay consistent,
 /// and all nodes on equally short paths come before the goal.
 constexpr double kShorter = 1.0 - 0x1p-26;
-
-/// A greater weight saves no checks, but nodes are expanded over and over.
-constexpr double kMostWeight = 2.0;
 }  // namespace
 
-LazyTree::LazyTree(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, double weight)
-    : lattice_(lattice), heuristic_(heuristic), weight_(std::min(weight, kMostWeight))
+LazyTree::LazyTree(lattice::Lattice& lattice, const lattice::Heuristic& heuristic)
+    : lattice_(lattice), heuristic_(heuristic)
 {
 }
 
@@ -385,7 +382,7 @@ LazyTree::Node& LazyTree::touch(NodeId id)
     Node& node = nodes_[id];
     if (node.h < 0.0)
     {
-        node.h = weight_ * kShorter * heuristic_.estimate(id);
+        node.h = kShorter * heuristic_.estimate(id);
         node.rank = util::hashCoordinates(lattice_.coordinates(id));
     }
     return node;

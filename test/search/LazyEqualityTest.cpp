@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lazy search against an independent Dijkstra, and against itself: cost within the weight, and the same decisions
-// and path for every executor and number of workers, whatever the checks' timing.
+// The lazy search against an independent Dijkstra, and against itself: the same cost, and the same decisions and
+// path for every executor and number of workers, whatever the checks' timing.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -76,13 +76,13 @@ void expectCountsAddUp(const validity::CheckStatistics& counts)
     EXPECT_EQ(counts.checksRun, counts.demandedChecks + counts.speculativeChecks - counts.speculativeDropped);
 }
 
-LazyResult solve(const RandomProblem& problem, Configuration& configuration, double weight, Selector selector)
+LazyResult solve(const RandomProblem& problem, Configuration& configuration, Selector selector)
 {
     lattice::Lattice lattice(std::make_unique<lattice::GridNeighbourhood>(problem.box(), problem.steps()));
     const lattice::GridHeuristic heuristic = problem.heuristic(lattice);
     configuration.checker->open(problem, lattice);
     validity::Broker broker(*configuration.executor);
-    search::LazySearch search(lattice, heuristic, broker, weight);
+    search::LazySearch search(lattice, heuristic, broker);
     search.setSelector(selector);
     broker.setSource(&search);
     const auto node = [&lattice](const Cell& cell)
@@ -145,7 +145,7 @@ double costOfValidPath(const RandomProblem& random, const std::vector<Cell>& pat
     return cost;
 }
 
-void expectWithin(const RandomProblem& problem, const CellSolution& reference, const LazyResult& result, double weight)
+void expectOptimal(const RandomProblem& problem, const CellSolution& reference, const LazyResult& result)
 {
     if (reference.path.empty())
     {
@@ -156,8 +156,7 @@ void expectWithin(const RandomProblem& problem, const CellSolution& reference, c
     ASSERT_EQ(result.status, search::SearchStatus::Solved);
     ASSERT_FALSE(result.path.empty());
     EXPECT_NEAR(costOfValidPath(problem, result.path), result.cost, 1e-9);
-    EXPECT_GE(result.cost, reference.cost - 1e-9);
-    EXPECT_LE(result.cost, weight * reference.cost + 1e-9);
+    EXPECT_NEAR(result.cost, reference.cost, 1e-9);
     EXPECT_EQ(result.checksUsed, result.decisions);
 }
 
@@ -183,7 +182,7 @@ std::uint64_t problemCount()
 #endif
 }
 
-TEST(LazyEquality, EveryExecutorAndThreadCountDecidesTheSameAndTheCostIsWithinTheWeight)
+TEST(LazyEquality, EveryExecutorAndThreadCountDecidesTheSameAndTheCostIsDijkstras)
 {
     std::vector<Configuration> configurations = allConfigurations();
     std::uint64_t solved = 0;
@@ -193,27 +192,21 @@ TEST(LazyEquality, EveryExecutorAndThreadCountDecidesTheSameAndTheCostIsWithinTh
         const RandomProblem problem(seed);
         const CellSolution reference = dijkstra(problem);
         solved += reference.path.empty() ? 0 : 1;
-        for (const double weight : {1.0, problem.weight()})
+        LazyResult serial;
+        for (Configuration& configuration : configurations)
         {
-            LazyResult serial;
-            for (Configuration& configuration : configurations)
+            SCOPED_TRACE("problem " + std::to_string(seed) + ", " + configuration.name);
+            const LazyResult result = solve(problem, configuration, Selector::LeastLikely);
+            ahead[configuration.name] += result.speculativeChecks;
+            if (&configuration == &configurations.front())
             {
-                SCOPED_TRACE("problem " + std::to_string(seed) + ", weight " + std::to_string(weight) + ", " +
-                             configuration.name);
-                const LazyResult result = solve(problem, configuration, weight, Selector::LeastLikely);
-                ahead[configuration.name] += result.speculativeChecks;
-                if (&configuration == &configurations.front())
-                {
-                    serial = result;
-                    expectWithin(problem, reference, serial, weight);
-                }
-                else
-                    expectEqual(result, serial);
-                if (HasFatalFailure() || HasNonfatalFailure())
-                    return;
+                serial = result;
+                expectOptimal(problem, reference, serial);
             }
-            if (problem.weight() == 1.0)
-                break;
+            else
+                expectEqual(result, serial);
+            if (HasFatalFailure() || HasNonfatalFailure())
+                return;
         }
     }
     // The problems are a mixture, or the test would show little.
@@ -235,9 +228,9 @@ TEST(LazyEquality, EverySelectorFindsTheSameCost)
         {
             SCOPED_TRACE("problem " + std::to_string(seed) + ", selector " +
                          std::to_string(static_cast<int>(selector)));
-            const LazyResult serial = solve(problem, configurations.front(), 1.0, selector);
-            expectWithin(problem, reference, serial, 1.0);
-            expectEqual(solve(problem, configurations[5], 1.0, selector), serial);
+            const LazyResult serial = solve(problem, configurations.front(), selector);
+            expectOptimal(problem, reference, serial);
+            expectEqual(solve(problem, configurations[5], selector), serial);
             if (HasFatalFailure() || HasNonfatalFailure())
                 return;
         }

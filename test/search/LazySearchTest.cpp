@@ -76,7 +76,7 @@ struct Plane
         else
             executor = std::make_unique<validity::ThreadPoolExecutor>(checker, workers);
         broker = std::make_unique<validity::Broker>(*executor);
-        search = std::make_unique<search::LazySearch>(lattice, heuristic, *broker, 1.0);
+        search = std::make_unique<search::LazySearch>(lattice, heuristic, *broker);
         broker->setSource(search.get());
         heuristic.addGoal({{static_cast<double>(goalX), 15.0}, {}});
         search->addGoal(node(goalX, 15));
@@ -268,7 +268,7 @@ TEST(LazySearch, TerminalsAreReachedByTheirOwnMotions)
         plane.lattice.connect(plane.node(14, 1), goal, 0.125);
         lattice::GridHeuristic heuristic(plane.lattice, {1.0, 1.0}, 2);
         heuristic.addGoal({{13.5, 1.0}, {{0.5, 0.0}, {-0.5, 0.0}}});
-        search::LazySearch search(plane.lattice, heuristic, *plane.broker, 1.0);
+        search::LazySearch search(plane.lattice, heuristic, *plane.broker);
         plane.broker->setSource(&search);
         search.addGoal(goal);
         search.addStart(start);
@@ -281,7 +281,7 @@ TEST(LazySearch, TerminalsAreReachedByTheirOwnMotions)
         EXPECT_EQ(search.parent(start), lattice::kNoNode);
 
         plane.checker.motionsValid = false;
-        search::LazySearch blocked(plane.lattice, heuristic, *plane.broker, 1.0);
+        search::LazySearch blocked(plane.lattice, heuristic, *plane.broker);
         plane.broker->setSource(nullptr);
         const NodeId other = plane.lattice.addTerminal();
         plane.lattice.connect(start, other, 1.0);

@@ -23,7 +23,7 @@ struct Fixture
     explicit Fixture(const RandomProblem& problem)
         : lattice(std::make_unique<lattice::GridNeighbourhood>(problem.box(), problem.steps())),
           heuristic(problem.heuristic(lattice)),
-          tree(lattice, heuristic, 1.0)
+          tree(lattice, heuristic)
     {
         for (const Cell& goal : problem.goals())
             tree.addGoal(node(goal));
@@ -116,7 +116,7 @@ TEST(LazyTree, AVerdictCostsFarLessThanTheTree)
     lattice::Lattice lattice(std::make_unique<lattice::GridNeighbourhood>(lattice::GridBox{{0, 0}, {399, 399}}, steps));
     lattice::GridHeuristic heuristic(lattice, {1.0, 1.0}, 2);
     heuristic.addGoal({{350.0, 200.0}, {}});
-    LazyTree tree(lattice, heuristic, 1.0);
+    LazyTree tree(lattice, heuristic);
     const auto node = [&lattice](lattice::Coordinate x, lattice::Coordinate y)
     {
         const lattice::Coordinate cell[] = {x, y};

@@ -32,16 +32,15 @@ enum class Selector
 /// taken back. So the decisions, the path and its cost are the same whoever runs the checks, and whenever. The numbers
 /// in the comments of the body are those of docs/algorithm.md.
 ///
-/// Holds between calls: the heuristic is constant and consistent. The cost of the path is at most `weight` times the
-/// lattice optimum.
+/// Holds between calls: the heuristic is constant and consistent. The path is a shortest one of the lattice. There is
+/// no weight: weighted orders of repair were found to need more checks, see docs/algorithm.md.
 ///
 /// Threads: one, the search thread.
 class LazySearch : public validity::CheckSource
 {
 public:
-    /// \param weight at least 1. All references must outlive the search. Pass it to Broker::setSource to let it run
-    /// ahead.
-    LazySearch(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker, double weight);
+    /// All references must outlive the search. Pass it to Broker::setSource to let it run ahead.
+    LazySearch(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker);
 
     /// To be set before the search starts.
     void setSelector(Selector selector) noexcept

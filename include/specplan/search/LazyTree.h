@@ -23,8 +23,7 @@ using lattice::NodeId;
 /// Idea: Lifelong Planning A* (Koenig, Likhachev, Furcy 2004). A node is consistent if its g is what its predecessors
 /// promise, its rhs; a verdict makes some nodes inconsistent, and only these and what depends on them is looked at
 /// again. What a verdict closes is found at once, before anything else is repaired (Ramalingam, Reps 1996): so no node
-/// is repaired twice for one verdict. With a weight the estimates count for more, and the path is at most `weight`
-/// times as long as the shortest.
+/// is repaired twice for one verdict.
 ///
 /// Every change can be written to a journal and taken back exactly, so that a search may try out verdicts.
 ///
@@ -50,8 +49,8 @@ public:
     };
     using Journal = std::vector<Change>;
 
-    /// \param weight at least 1. The references must outlive the tree.
-    LazyTree(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, double weight);
+    /// The references must outlive the tree.
+    LazyTree(lattice::Lattice& lattice, const lattice::Heuristic& heuristic);
 
     void addStart(NodeId start);
     void addGoal(NodeId goal);
@@ -117,7 +116,7 @@ private:
     {
         double g = kUnreached;
         double rhs = kUnreached;
-        double h = -1.0;                  ///< weighted; negative: not asked yet
+        double h = -1.0;                  ///< negative: not asked yet
         std::uint64_t rank = 0;           ///< breaks ties on OPEN; from the coordinates
         std::uint64_t recorded = 0;       ///< journal that has this node's values
         EdgeId via = kNoEdge;             ///< the motion that rhs comes from
@@ -173,7 +172,6 @@ private:
 
     lattice::Lattice& lattice_;
     const lattice::Heuristic& heuristic_;
-    double weight_;
     double unit_ = 0.0;  ///< costs are multiples of it; 0 before the first start
     std::vector<Node> nodes_;
     std::vector<Edge> edges_;
