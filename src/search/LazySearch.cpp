@@ -2,7 +2,6 @@
 #include "specplan/search/LazySearch.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 #include "specplan/util/Hash.h"
@@ -280,8 +279,9 @@ void LazySearch::finish()
 {
     solution_.assign(1, path_.empty() ? tree_.nearestGoal() : tree_.from(path_.back()));
     solutionCosts_.assign(1, 0.0);
-    for (const LazyTree::EdgeId edge : path_ | std::views::reverse)
+    for (auto place = path_.rbegin(); place != path_.rend(); ++place)
     {
+        const LazyTree::EdgeId edge = *place;
         lattice_.successors(tree_.from(edge), successors_);
         solution_.push_back(tree_.to(edge));
         solutionCosts_.push_back(solutionCosts_.back() + successors_.edges[tree_.indexOf(edge)].cost);

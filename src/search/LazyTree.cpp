@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <ranges>
 #include <stdexcept>
 
 #include "specplan/util/Hash.h"
@@ -361,13 +360,13 @@ void LazyTree::undo(CheckId check, const Journal& journal)
 {
     assert(journal_ == nullptr);
     // Backwards: a node may have been recorded twice, and its first values count.
-    for (const Change& change : journal | std::views::reverse)
+    for (auto change = journal.rbegin(); change != journal.rend(); ++change)
     {
-        Node& node = nodes_[change.node];
-        node.g = change.g;
-        node.rhs = change.rhs;
-        node.via = change.via;
-        place(change.node);
+        Node& node = nodes_[change->node];
+        node.g = change->g;
+        node.rhs = change->rhs;
+        node.via = change->via;
+        place(change->node);
     }
     if (check.isMotion())
         motions_[check.motion()] = Verdict::Unknown;
