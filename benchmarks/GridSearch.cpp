@@ -113,44 +113,90 @@ std::unique_ptr<speculation::Policy> makePolicy(const std::string& name, lattice
         return std::make_unique<speculation::DirectionPolicy>(lattice, broker, 4);
     return nullptr;
 }
+/// One problem with a lattice of its own.
+struct Arena
+{
+    explicit Arena(const GridSearch& wanted)
+        : lattice(std::make_unique<lattice::GridNeighbourhood>(
+              lattice::GridBox{{0, 0}, {wanted.problem->map.width() - 1, wanted.problem->map.height() - 1}},
+              stepsOf(wanted))),
+          octile(lattice, {1.0, 1.0}, 2),
+          moves(lattice, wanted.problem->goal, wanted.cost == GridCost::Seed),
+          heuristic(wanted.cost == GridCost::Length ? static_cast<const lattice::Heuristic&>(octile) : moves),
+          checker(wanted.problem->map, lattice),
+          executor(checker, wanted.workers,
+                   [this, durations = wanted.durations](CheckId check, bool valid)
+                   { return durationOf(durations, lattice.coordinates(check.node()), valid); }),
+          broker(executor),
+          start(node(wanted.problem->start)),
+          goal(node(wanted.problem->goal))
+    {
+        const problems::GridCell& cell = wanted.problem->goal;
+        octile.addGoal({{static_cast<double>(cell[0]), static_cast<double>(cell[1])}, {}});
+    }
+
+    NodeId node(const problems::GridCell& cell)
+    {
+        return lattice.node(std::array<lattice::Coordinate, 2>{cell[0], cell[1]}.data());
+    }
+
+    /// Runs a search of either kind and measures it.
+    template <typename Search>
+    Outcome run(Search& search)
+    {
+        search.addGoal(goal);
+        search.addStart(start);
+        const double begin = validity::steadySeconds();
+        search.run([] { return false; });
+        const double searchSeconds = validity::steadySeconds() - begin;
+        const double seconds = broker.now();
+        broker.settle();
+        return {broker.statistics(),
+                search.expansions(),
+                search.orderHash(),
+                seconds,
+                searchSeconds,
+                broker.statistics().usedSeconds / seconds,
+                search.costToCome(search.reachedGoal())};
+    }
+
+    lattice::Lattice lattice;
+    lattice::GridHeuristic octile;
+    MoveHeuristic moves;
+    const lattice::Heuristic& heuristic;
+    MapChecker checker;
+    validity::VirtualExecutor executor;
+    validity::Broker broker;
+    NodeId start;
+    NodeId goal;
+};
 }  // namespace
 
 Outcome searchVirtually(const GridSearch& wanted)
 {
-    const GridMap& map = wanted.problem->map;
-    lattice::Lattice lattice(std::make_unique<lattice::GridNeighbourhood>(
-        lattice::GridBox{{0, 0}, {map.width() - 1, map.height() - 1}}, stepsOf(wanted)));
-    const auto node = [&lattice](const problems::GridCell& cell) {
-        return lattice.node(std::array<lattice::Coordinate, 2>{cell[0], cell[1]}.data());
-    };
-    const problems::GridCell& goal = wanted.problem->goal;
-    lattice::GridHeuristic octile(lattice, {1.0, 1.0}, 2);
-    octile.addGoal({{static_cast<double>(goal[0]), static_cast<double>(goal[1])}, {}});
-    const MoveHeuristic moves(lattice, goal, wanted.cost == GridCost::Seed);
-    MapChecker checker(map, lattice);
-    validity::VirtualExecutor executor(
-        checker, wanted.workers,
-        [&](CheckId check, bool valid)
-        { return durationOf(wanted.durations, lattice.coordinates(check.node()), valid); });
-    validity::Broker broker(executor);
-    broker.setBarrier(wanted.policy == "direction");
-    search::AStar search(lattice,
-                         wanted.cost == GridCost::Length ? static_cast<const lattice::Heuristic&>(octile) : moves,
-                         broker, wanted.weight);
-    const auto predictor = makePredictor(wanted.predictor, lattice);
-    const auto policy = makePolicy(wanted.policy, lattice, broker, search, *predictor, wanted.weight);
-    broker.setSource(policy.get());
+    Arena arena(wanted);
+    arena.broker.setBarrier(wanted.policy == "direction");
+    search::AStar search(arena.lattice, arena.heuristic, arena.broker, wanted.weight);
+    const auto predictor = makePredictor(wanted.predictor, arena.lattice);
+    const auto policy = makePolicy(wanted.policy, arena.lattice, arena.broker, search, *predictor, wanted.weight);
+    arena.broker.setSource(policy.get());
     search.setPolicy(policy.get());
-    search.addGoal(node(goal));
-    search.addStart(node(wanted.problem->start));
+    return arena.run(search);
+}
 
-    const double start = validity::steadySeconds();
-    search.run([] { return false; });
-    const double seconds = broker.now();
-    const double searchSeconds = validity::steadySeconds() - start;
-    broker.settle();
-    return {broker.statistics(), search.expansions(),
-            search.orderHash(),  seconds,
-            searchSeconds,       broker.statistics().usedSeconds / seconds};
+Outcome searchLazily(const GridSearch& wanted, search::Selector selector)
+{
+    Arena arena(wanted);
+    search::LazySearch search(arena.lattice, arena.heuristic, arena.broker);
+    search.setSelector(selector);
+    if (wanted.workers > 1)
+        arena.broker.setSource(&search);
+    return arena.run(search);
+}
+
+BaselineResult searchBaseline(const GridSearch& wanted)
+{
+    Arena arena(wanted);
+    return lazyAStar(arena.lattice, arena.heuristic, arena.checker, arena.start, arena.goal, wanted.weight);
 }
 }  // namespace specplan::benchmarks

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <string>
 
+#include "LazyBaseline.h"
 #include "specplan/problems/GridSetup.h"
+#include "specplan/search/LazySearch.h"
 #include "specplan/validity/CheckStatistics.h"
 
 namespace specplan::benchmarks
@@ -39,8 +41,15 @@ struct Outcome
     double seconds;        ///< on the virtual clock, or real ones without checks' durations
     double searchSeconds;  ///< real time of the search itself, everything but checks
     double speedup;        ///< sum of the durations of all used checks / seconds
+    double cost;           ///< of the path
 };
 
-/// Searches on the virtual clock.
+/// Searches on the virtual clock with A*.
 [[nodiscard]] Outcome searchVirtually(const GridSearch& search);
+
+/// Searches on the virtual clock with the lazy search; policy, predictor and weight mean nothing to it.
+[[nodiscard]] Outcome searchLazily(const GridSearch& search, search::Selector selector);
+
+/// Searches with a sequential lazy weighted A*, for comparison.
+[[nodiscard]] BaselineResult searchBaseline(const GridSearch& search);
 }  // namespace specplan::benchmarks

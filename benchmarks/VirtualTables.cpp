@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The paper's tables and more, on the virtual clock: two runs print the same numbers on every machine. Prints Markdown;
-// writes virtual.csv into the folder given.
+// writes virtual.csv and lazy.csv into the folder given.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "GridSearch.h"
+#include "LazyTables.h"
 #include "specplan/problems/InputError.h"
 #include "specplan/problems/MovingAi.h"
 #include "specplan/problems/SeedMap.h"
@@ -28,12 +29,13 @@ struct Case
 
 using Suite = std::vector<Case>;
 
-/// The largest scenes that come with the project, each with its longest query.
-Suite bundledSuite(const std::string& scenes)
+/// Scenes of this size that come with the project, each with its longest query.
+Suite bundledSuite(const std::string& scenes, const std::string& size)
 {
     Suite suite;
-    for (const std::string name : {"city-256", "maze-256", "random-256", "rooms-256"})
+    for (const std::string kind : {"city-", "maze-", "random-", "rooms-"})
     {
+        const std::string name = kind + size;
         const std::string file = scenes + "/" + name + ".map";
         const auto entry = problems::readMovingAiScenario(file + ".scen").back();
         suite.push_back(
@@ -123,6 +125,28 @@ void heading(const Suite& suite, const std::string& title, const std::string& co
     std::cout << '\n';
 }
 
+/// The same problems for the lazy search, whose costs are path lengths.
+std::vector<LazyCase> lazySuite(const Suite& suite)
+{
+    std::vector<LazyCase> cases;
+    for (const Case& entry : suite)
+        cases.push_back({entry.name, entry.problem, entry.cornerCutting});
+    return cases;
+}
+
+void printLazySuites(const std::string& folder, const char* data)
+{
+    problems::writeFile(folder + "/lazy.csv",
+                        [data](std::ostream& csv)
+                        {
+                            csv << "problem,selector,workers,checks_used,checks_run,virtual_time,speedup,"
+                                   "accuracy,expansions,search_ns_per_check\n";
+                            printLazyTables(lazySuite(bundledSuite(SPECPLAN_SCENES_DIR, "128")), "bundled scenes", csv);
+                            if (data != nullptr)
+                                printLazyTables(lazySuite(publishedSuite(data)), "published maps", csv);
+                        });
+}
+
 void printSuite(Bench& bench, const Suite& suite, const std::string& name)
 {
     for (const double weight : {1.0, 1000.0, 1e6})
@@ -165,22 +189,30 @@ void printSuite(Bench& bench, const Suite& suite, const std::string& name)
 int main(int argc, char** argv)
 {
     using namespace specplan;
-    if (argc != 2)
+    const bool lazyOnly = argc == 3 && std::string(argv[1]) == "--lazy";
+    if (argc != 2 && !lazyOnly)
     {
-        std::cerr << "usage: specplan_bench_virtual FOLDER\n";
+        std::cerr << "usage: specplan_bench_virtual [--lazy] FOLDER\n";
         return 2;
     }
     try
     {
-        problems::writeFile(
-            std::string(argv[1]) + "/virtual.csv",
-            [](std::ostream& csv)
-            {
-                benchmarks::Bench bench(csv);
-                benchmarks::printSuite(bench, benchmarks::bundledSuite(SPECPLAN_SCENES_DIR), "bundled scenes");
-                if (const char* data = std::getenv("SPECPLAN_DATA_DIR"); data != nullptr && *data != '\0')
-                    benchmarks::printSuite(bench, benchmarks::publishedSuite(data), "published maps");
-            });
+        const std::string folder = argv[argc - 1];
+        const char* data = std::getenv("SPECPLAN_DATA_DIR");
+        if (data != nullptr && *data == '\0')
+            data = nullptr;
+        if (!lazyOnly)
+            problems::writeFile(folder + "/virtual.csv",
+                                [data](std::ostream& csv)
+                                {
+                                    benchmarks::Bench bench(csv);
+                                    benchmarks::printSuite(bench, benchmarks::bundledSuite(SPECPLAN_SCENES_DIR, "256"),
+                                                           "bundled scenes");
+                                    if (data != nullptr)
+                                        benchmarks::printSuite(bench, benchmarks::publishedSuite(data),
+                                                               "published maps");
+                                });
+        benchmarks::printLazySuites(folder, data);
     }
     catch (const std::exception& error)
     {

@@ -17,12 +17,30 @@ NearbyVerdicts::NearbyVerdicts(lattice::Lattice& lattice) : lattice_(lattice)
 
 void NearbyVerdicts::add(lattice::NodeId node, bool valid)
 {
+    meet(node);
+    for (const lattice::Successors::Edge& edge : neighbours_.edges)
+        ++countOf(edge.node, valid);
+}
+
+void NearbyVerdicts::remove(lattice::NodeId node, bool valid)
+{
+    meet(node);
+    for (const lattice::Successors::Edge& edge : neighbours_.edges)
+        --countOf(edge.node, valid);
+}
+
+void NearbyVerdicts::meet(lattice::NodeId node)
+{
+    neighbours_.edges.clear();
     if (lattice_.maxSteps() > kMostNeighbours)
         return;
     lattice_.successors(node, neighbours_);
     if (counts_.size() < lattice_.size())
         counts_.resize(std::max(lattice_.size(), counts_.size() * 2));
-    for (const lattice::Successors::Edge& edge : neighbours_.edges)
-        ++(valid ? counts_[edge.node].valid : counts_[edge.node].invalid);
+}
+
+std::uint16_t& NearbyVerdicts::countOf(lattice::NodeId node, bool valid)
+{
+    return valid ? counts_[node].valid : counts_[node].invalid;
 }
 }  // namespace specplan::speculation

@@ -27,6 +27,12 @@ public:
         nearby_.add(node, valid);
     }
 
+    /// Takes back what `learned` did.
+    void forget(lattice::NodeId node, bool valid)
+    {
+        nearby_.remove(node, valid);
+    }
+
 private:
     NearbyVerdicts nearby_;
 };

@@ -29,7 +29,13 @@ public:
     /// Tells the neighbours of `node` about its verdict.
     void add(lattice::NodeId node, bool valid);
 
+    /// Takes back what `add` did.
+    void remove(lattice::NodeId node, bool valid);
+
 private:
+    [[nodiscard]] std::uint16_t& countOf(lattice::NodeId node, bool valid);
+    void meet(lattice::NodeId node);
+
     lattice::Lattice& lattice_;
     std::vector<Counts> counts_;  ///< by node
     lattice::Successors neighbours_;

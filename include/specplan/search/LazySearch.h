@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "specplan/search/AStar.h"
+#include "specplan/search/LazyTree.h"
+#include "specplan/speculation/NearbyPredictor.h"
+#include "specplan/validity/Broker.h"
+
+namespace specplan::search
+{
+/// Which unknown check of the best path comes first. States always come before motions.
+enum class Selector
+{
+    LeastLikely,  ///< the least likely to be valid; of several the nearest to the goal
+    Forward,      ///< the nearest to the start
+    Backward,     ///< the nearest to the goal
+    Alternate     ///< from both ends in turn
+};
+
+/// Lazy shortest-path search: takes the unknown for valid, finds the shortest path, checks it, and repeats where that
+/// fails. Needs far fewer checks than A* for a path of the same cost, and more work of its own for each.
+///
+/// Idea: LazySP (Dellin, Srinivasa 2016) on an incremental search, see LazyTree. The search is a series of decisions,
+/// each of which demands one check. While it waits it runs ahead of itself: it takes predicted verdicts for the checks
+/// that are still open, goes on deciding, and proposes the checks that it meets. What was decided on a wrong guess is
+/// taken back. So the decisions, the path and its cost are the same whoever runs the checks, and whenever. The numbers
+/// in the comments of the body are those of docs/algorithm.md.
+///
+/// Holds between calls: the heuristic is constant and consistent. The path is a shortest one of the lattice. There is
+/// no weight: weighted orders of repair were found to need more checks, see docs/algorithm.md.
+///
+/// Threads: one, the search thread.
+class LazySearch : public validity::CheckSource
+{
+public:
+    /// All references must outlive the search. Pass it to Broker::setSource to let it run ahead.
+    LazySearch(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker);
+
+    /// To be set before the search starts.
+    void setSelector(Selector selector) noexcept
+    {
+        selector_ = selector;
+    }
+
+    /// Told about every decision in order: the check, and its verdict. Empty for none.
+    void setObserver(std::function<void(CheckId check, bool valid)> observer)
+    {
+        observer_ = std::move(observer);
+    }
+
+    /// Adds a start; its state must be known to be valid.
+    void addStart(NodeId start)
+    {
+        tree_.addStart(start);
+    }
+
+    /// Adds a goal. Its state is checked like any other.
+    void addGoal(NodeId goal)
+    {
+        tree_.addGoal(goal);
+    }
+
+    /// Searches until a path to a goal is known to be valid, there is none, or `stop` returns true; `stop` is asked
+    /// once per decision, and now and then while a path is sought. \throws what a check threw that the search needs.
+    /// The search can go on after that.
+    SearchStatus run(const std::function<bool()>& stop);
+
+    /// The goal that the valid path leads to, or kNoNode.
+    [[nodiscard]] NodeId reachedGoal() const noexcept
+    {
+        return solution_.empty() ? lattice::kNoNode : solution_.back();
+    }
+
+    /// The valid path from a start to `node`; empty if the node is not on it.
+    [[nodiscard]] std::vector<NodeId> pathTo(NodeId node) const;
+
+    /// Cost of the valid path from a start to `node`; infinite if the node is not on it.
+    [[nodiscard]] double costToCome(NodeId node) const noexcept;
+
+    /// Node before `node` on the valid path, or kNoNode.
+    [[nodiscard]] NodeId parent(NodeId node) const noexcept;
+
+    [[nodiscard]] bool isGoal(NodeId node) const noexcept
+    {
+        return tree_.isGoal(node);
+    }
+
+    /// Whether the search has demanded the node's state.
+    [[nodiscard]] bool isExpanded(NodeId node) const noexcept
+    {
+        return broker_.isUsed(CheckId::ofState(node));
+    }
+
+    /// Number of decisions, each of which demanded one check.
+    [[nodiscard]] std::uint64_t decisions() const noexcept
+    {
+        return decisions_;
+    }
+
+    /// Nodes expanded to keep the shortest path up to date, those of wrong guesses included: work, not progress.
+    [[nodiscard]] std::uint64_t expansions() const noexcept
+    {
+        return tree_.expansions();
+    }
+
+    /// Hash of all decisions in order, by coordinates: equal for equal sequences.
+    [[nodiscard]] std::uint64_t orderHash() const noexcept
+    {
+        return orderHash_;
+    }
+
+    void propose(std::size_t count, std::vector<CheckId>& out) override;
+    void learned(CheckId check, bool valid) override;
+    void missed() override;
+    [[nodiscard]] bool stillWanted(CheckId check) const override;
+
+    [[nodiscard]] bool keepsAsking() const noexcept override
+    {
+        return true;
+    }
+
+private:
+    /// A decision that the search has made ahead of time, on a guess how the check turns out.
+    struct Guess
+    {
+        CheckId check;
+        bool valid;
+        double probability;         ///< that the check is valid
+        LazyTree::Journal journal;  ///< all changes from this guess to the next
+    };
+
+    enum class Plan
+    {
+        Unfinished,
+        Next,   ///< next_ is the check to demand
+        Valid,  ///< nothing on the path is unknown
+        NoWay   ///< no goal can be reached
+    };
+
+    [[nodiscard]] Plan plan(std::size_t budget);
+    void readPath();
+    void choose();
+    [[nodiscard]] std::size_t placeOf(const std::vector<CheckId>& unknown) const;
+    void enter(CheckId check, bool valid);
+    void commit(CheckId check, bool valid);
+    void note(CheckId check, bool valid);
+    void finish();
+
+    // Running ahead.
+    void guess(double probability, bool valid);
+    void takeBack(std::size_t first);
+    [[nodiscard]] bool doubtPath();
+    [[nodiscard]] double probabilityValid(CheckId check) const;
+
+    lattice::Lattice& lattice_;
+    validity::Broker& broker_;
+    LazyTree tree_;
+    speculation::NearbyPredictor predictor_;
+    Selector selector_ = Selector::LeastLikely;
+    std::function<void(CheckId, bool)> observer_;
+
+    Plan plan_ = Plan::Unfinished;        ///< after all guesses
+    bool pathHolds_ = false;              ///< path_ and what is unknown of it are up to date
+    CheckId next_;                        ///< if plan_ is Next
+    std::vector<LazyTree::EdgeId> path_;  ///< last motion first
+    std::vector<CheckId> unknownStates_;  ///< of path_, in its order
+    std::vector<CheckId> unknownMotions_;
+    std::deque<Guess> guesses_;  ///< in order of deciding; what the search has demanded is off the list
+    bool stuck_ = false;         ///< the last guess takes more work than a guess is worth
+    std::uint64_t decisions_ = 0;
+    std::uint64_t orderHash_ = 0;
+    std::vector<NodeId> solution_;
+    std::vector<double> solutionCosts_;  ///< parallel to solution_: cost from the start
+    lattice::Successors successors_;     ///< scratch
+};
+}  // namespace specplan::search

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "specplan/lattice/Heuristic.h"
+#include "specplan/lattice/Lattice.h"
+#include "specplan/util/OpenList.h"
+#include "specplan/validity/Verdict.h"
+
+namespace specplan::search
+{
+using lattice::CheckId;
+using lattice::NodeId;
+
+/// The shortest path from the starts to the nearest goal while unknown states and motions count as valid, kept up to
+/// date as verdicts come in.
+///
+/// Idea: Lifelong Planning A* (Koenig, Likhachev, Furcy 2004). A node is consistent if its g is what its predecessors
+/// promise, its rhs; a verdict makes some nodes inconsistent, and only these and what depends on them is looked at
+/// again. What a verdict closes is found at once, before anything else is repaired (Ramalingam, Reps 1996): so no node
+/// is repaired twice for one verdict.
+///
+/// Every change can be written to a journal and taken back exactly, so that a search may try out verdicts.
+///
+/// Costs are rounded to multiples of a power of two small enough (2^-32 of a step) that nobody notices, and large
+/// enough that sums of them are exact: equal paths have equal costs, in whatever order they were summed. What follows
+/// from a series of verdicts depends on the problem alone, not on the numbers that nodes happen to have: ties are
+/// broken by coordinates.
+///
+/// Threads: one, the search thread.
+class LazyTree
+{
+public:
+    using EdgeId = std::uint32_t;
+    static constexpr double kUnreached = std::numeric_limits<double>::infinity();
+
+    /// A node's values before a change.
+    struct Change
+    {
+        double g;
+        double rhs;
+        NodeId node;
+        EdgeId via;
+    };
+    using Journal = std::vector<Change>;
+
+    /// The references must outlive the tree.
+    LazyTree(lattice::Lattice& lattice, const lattice::Heuristic& heuristic);
+
+    void addStart(NodeId start);
+    void addGoal(NodeId goal);
+
+    /// Goes on with the repair until the shortest path is known or `budget` nodes have been expanded.
+    /// \return whether it is known.
+    [[nodiscard]] bool repair(std::size_t budget);
+
+    /// After repair(): the motions of the shortest path, last one first. Of equally short paths it takes, going back
+    /// from the goal, the predecessor with the least coordinates.
+    /// \return false if a motion turned out to be closed by what lies beside it: repair again.
+    [[nodiscard]] bool findPath(std::vector<EdgeId>& path);
+
+    /// After repair(): the goal of that path, or kNoNode if no goal can be reached.
+    [[nodiscard]] NodeId nearestGoal();
+
+    /// Applies a verdict.
+    void enter(CheckId check, bool valid);
+
+    /// What has been entered for a check: Unknown, Valid or Invalid. Starts are valid.
+    [[nodiscard]] validity::Verdict verdict(CheckId check) const noexcept;
+
+    /// Writes all changes from now on to the journal, which must outlive that; nullptr for none.
+    void record(Journal* journal);
+
+    /// Takes back a verdict and all changes in its journal. Journals have to be taken back in reverse order.
+    void undo(CheckId check, const Journal& journal);
+
+    [[nodiscard]] NodeId from(EdgeId edge) const noexcept
+    {
+        return edges_[edge].from;
+    }
+
+    [[nodiscard]] NodeId to(EdgeId edge) const noexcept
+    {
+        return edges_[edge].to;
+    }
+
+    /// The checks of a motion besides that of its end.
+    [[nodiscard]] std::span<const CheckId> innerOf(EdgeId edge) const noexcept;
+
+    /// Number of a motion among those out of its node.
+    [[nodiscard]] std::size_t indexOf(EdgeId edge) const noexcept
+    {
+        return edge - nodes_[edges_[edge].from].firstOut;
+    }
+
+    [[nodiscard]] bool isGoal(NodeId node) const noexcept
+    {
+        return node < nodes_.size() && nodes_[node].goal;
+    }
+
+    /// Nodes expanded, those included that verdicts tried out made necessary.
+    [[nodiscard]] std::uint64_t expansions() const noexcept
+    {
+        return expansions_;
+    }
+
+private:
+    static constexpr EdgeId kNoEdge = std::numeric_limits<EdgeId>::max();
+
+    struct Node
+    {
+        double g = kUnreached;
+        double rhs = kUnreached;
+        double h = -1.0;                  ///< negative: not asked yet
+        std::uint64_t rank = 0;           ///< breaks ties on OPEN; from the coordinates
+        std::uint64_t recorded = 0;       ///< journal that has this node's values
+        EdgeId via = kNoEdge;             ///< the motion that rhs comes from
+        EdgeId firstOut = kNoEdge;        ///< motions out of the node, once they were asked for
+        std::uint32_t firstIn = kNoEdge;  ///< block of known motions into the node
+        std::uint16_t out = 0;            ///< number of motions out of the node
+        validity::Verdict verdict = validity::Verdict::Unknown;
+        bool start = false;
+        bool goal = false;
+    };
+
+    struct Edge
+    {
+        double cost;  ///< rounded
+        NodeId from;
+        NodeId to;
+        std::uint32_t inner;  ///< first of its checks in inner_; 0 if there are none
+    };
+
+    /// Known motions into one node; what is looked at of them lies together.
+    struct Into
+    {
+        struct Motion
+        {
+            double cost;
+            NodeId from;
+            EdgeId edge;
+        };
+
+        std::array<Motion, 8> motions;
+        std::uint32_t count;
+        std::uint32_t next;  ///< block with further ones, or kNoEdge
+    };
+
+    [[nodiscard]] bool isDone();
+    void expand(NodeId node);
+    void lose(NodeId node);
+    void doubt(NodeId node);
+    void look(NodeId node);
+    void set(NodeId node, double g, double rhs, EdgeId via);
+    void place(NodeId node);
+    void connect(NodeId node);
+    void chooseUnit(NodeId start);
+    [[nodiscard]] double costOf(const Edge& edge) const noexcept;
+    [[nodiscard]] bool isClosed(const Edge& edge) const noexcept;
+    [[nodiscard]] double rounded(double cost) const noexcept;
+    [[nodiscard]] EdgeId bestInto(NodeId node) const;
+    [[nodiscard]] bool comesBefore(EdgeId edge, EdgeId other) const;
+    template <typename Visit>
+    void visitInto(NodeId node, Visit visit) const;
+    void addInto(NodeId node, const Into::Motion& motion);
+    Node& touch(NodeId node);
+
+    lattice::Lattice& lattice_;
+    const lattice::Heuristic& heuristic_;
+    double unit_ = 0.0;  ///< costs are multiples of it; 0 before the first start
+    std::vector<Node> nodes_;
+    std::vector<Edge> edges_;
+    std::vector<Into> into_;
+    std::vector<CheckId> inner_;
+    std::vector<std::uint32_t> innerCounts_;  ///< parallel to inner_: number of checks from there on in their motion
+    std::vector<validity::Verdict> motions_;
+    std::vector<NodeId> goals_;
+    NodeId nearestGoal_ = lattice::kNoNode;
+    bool goalsChanged_ = true;
+    util::OpenList open_;
+    Journal* journal_ = nullptr;
+    std::uint64_t journals_ = 0;
+    std::uint64_t expansions_ = 0;
+    std::vector<NodeId> lost_;        ///< scratch of lose()
+    lattice::Successors successors_;  ///< scratch of connect()
+};
+}  // namespace specplan::search

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "specplan/search/LazySearch.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "specplan/util/Hash.h"
+
+namespace specplan::search
+{
+using validity::Verdict;
+
+namespace
+{
+/// Nodes expanded between two questions whether to stop.
+constexpr std::size_t kPortion = 4096;
+
+/// Nodes that one guess may cost before it is left alone until it is known.
+constexpr std::size_t kMostForGuess = 20000;
+
+/// A check is guessed to be valid from this probability on: an obstacle goes on beside where it was met.
+constexpr double kSure = 0.9;
+}  // namespace
+
+LazySearch::LazySearch(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker)
+    : lattice_(lattice), broker_(broker), tree_(lattice, heuristic), predictor_(lattice)
+{
+}
+
+SearchStatus LazySearch::run(const std::function<bool()>& stop)
+{
+    while (solution_.empty())
+    {
+        if (stop())
+            return SearchStatus::Stopped;
+        CheckId check;
+        if (guesses_.empty())
+        {
+            switch (plan(kPortion))  // 1, 2: the best path, and what to check of it
+            {
+                case Plan::Unfinished:
+                    continue;
+                case Plan::NoWay:
+                    return SearchStatus::Infeasible;
+                case Plan::Valid:  // 3
+                    finish();
+                    return SearchStatus::Solved;
+                case Plan::Next:
+                    check = next_;
+            }
+        }
+        else
+            check = guesses_.front().check;
+        if (!broker_.demand({&check, 1}))  // 4
+            return SearchStatus::Stopped;
+        commit(check, broker_.verdict(check) == Verdict::Valid);  // 5
+    }
+    return SearchStatus::Solved;
+}
+
+/// Brings the best path up to date and chooses the next check, in the situation after all guesses.
+LazySearch::Plan LazySearch::plan(std::size_t budget)
+{
+    while (plan_ == Plan::Unfinished)
+    {
+        const std::uint64_t before = tree_.expansions();
+        if (!pathHolds_ && !tree_.repair(budget))
+            return plan_;
+        budget -= static_cast<std::size_t>(tree_.expansions() - before);
+        if (tree_.nearestGoal() == lattice::kNoNode)
+            return plan_ = Plan::NoWay;
+        if (!pathHolds_ && !tree_.findPath(path_))
+            continue;
+        if (!std::exchange(pathHolds_, true))
+            readPath();
+        choose();
+    }
+    return plan_;
+}
+
+/// Lists what is unknown of the path, from the goal on.
+void LazySearch::readPath()
+{
+    unknownStates_.clear();
+    unknownMotions_.clear();
+    const auto list = [this](CheckId check)
+    {
+        if (tree_.verdict(check) == Verdict::Unknown)
+            (check.isMotion() ? unknownMotions_ : unknownStates_).push_back(check);
+    };
+    for (const LazyTree::EdgeId edge : path_)
+    {
+        list(CheckId::ofState(tree_.to(edge)));
+        for (const CheckId check : tree_.innerOf(edge))
+            list(check);
+    }
+}
+
+void LazySearch::choose()
+{
+    const std::vector<CheckId>& unknown = unknownStates_.empty() ? unknownMotions_ : unknownStates_;
+    plan_ = unknown.empty() ? Plan::Valid : Plan::Next;
+    if (plan_ == Plan::Next)
+        next_ = unknown[placeOf(unknown)];
+}
+
+std::size_t LazySearch::placeOf(const std::vector<CheckId>& unknown) const
+{
+    switch (selector_)
+    {
+        case Selector::Forward:
+            return unknown.size() - 1;
+        case Selector::Backward:
+            return 0;
+        case Selector::Alternate:
+            return (decisions_ + guesses_.size()) % 2 == 0 ? unknown.size() - 1 : 0;
+        case Selector::LeastLikely:
+            break;
+    }
+    std::size_t place = 0;
+    double least = 2.0;
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+        if (const double probability = probabilityValid(unknown[i]); probability < least)
+        {
+            least = probability;
+            place = i;
+        }
+    return place;
+}
+
+double LazySearch::probabilityValid(CheckId check) const
+{
+    return check.isMotion() ? predictor_.probabilityMotionValid() : predictor_.probabilityValid(check.node());
+}
+
+/// Draws the consequences of a verdict, real or guessed.
+void LazySearch::enter(CheckId check, bool valid)
+{
+    if (!check.isMotion())
+        predictor_.learned(check.node(), valid);
+    tree_.enter(check, valid);
+    plan_ = Plan::Unfinished;
+    if (!valid)
+        pathHolds_ = false;
+    else
+        std::erase(check.isMotion() ? unknownMotions_ : unknownStates_, check);
+}
+
+/// Makes a decision final.
+void LazySearch::commit(CheckId check, bool valid)
+{
+    if (!guesses_.empty() && guesses_.front().valid == valid)
+    {
+        guesses_.pop_front();  // foreseen, consequences and all
+        if (guesses_.empty())
+            tree_.record(nullptr);
+    }
+    else
+    {
+        takeBack(0);
+        enter(check, valid);
+    }
+    note(check, valid);
+}
+
+void LazySearch::note(CheckId check, bool valid)
+{
+    ++decisions_;
+    const auto mixIn = [this](NodeId node)
+    { orderHash_ = util::mix(orderHash_, util::hashCoordinates(lattice_.coordinates(node))); };
+    if (check.isMotion())
+    {
+        mixIn(lattice_.motion(check.motion()).from);
+        mixIn(lattice_.motion(check.motion()).to);
+    }
+    else
+        mixIn(check.node());
+    if (observer_)
+        observer_(check, valid);
+}
+
+void LazySearch::propose(std::size_t count, std::vector<CheckId>& out)
+{
+    const std::size_t full = out.size() + count;
+    const auto first = static_cast<std::ptrdiff_t>(out.size());
+    stuck_ = stuck_ && !guesses_.empty();
+    for (std::size_t steps = 4 * count + 16; out.size() < full && steps > 0 && !stuck_; --steps)
+    {
+        const Plan plan = this->plan(kMostForGuess);
+        stuck_ = plan == Plan::Unfinished;
+        if (stuck_ || plan == Plan::NoWay)
+            return;
+        if (plan == Plan::Valid)
+        {
+            if (!doubtPath())
+                return;
+            continue;
+        }
+        const Verdict verdict = broker_.verdict(next_);
+        const double probability = probabilityValid(next_);
+        if (verdict == Verdict::Unknown && std::find(out.begin() + first, out.end(), next_) == out.end())
+            out.push_back(next_);
+        if (validity::isKnown(verdict))
+            guess(probability, verdict == Verdict::Valid);
+        else
+            guess(probability, probability >= kSure || (!next_.isMotion() && tree_.isGoal(next_.node())));
+    }
+}
+
+/// Goes on as if the next check had come out like this.
+void LazySearch::guess(double probability, bool valid)
+{
+    guesses_.push_back({next_, valid, probability, {}});
+    tree_.record(&guesses_.back().journal);
+    enter(next_, valid);
+}
+
+/// The guesses lead to a goal: looks for the weakest of those that hope for the best, and goes on as if it were wrong.
+bool LazySearch::doubtPath()
+{
+    std::size_t weakest = guesses_.size();
+    for (std::size_t i = 0; i < guesses_.size(); ++i)
+    {
+        const Guess& guess = guesses_[i];
+        if (guess.valid && !validity::isKnown(broker_.verdict(guess.check)) &&
+            !(!guess.check.isMotion() && tree_.isGoal(guess.check.node())) &&
+            (weakest == guesses_.size() || guess.probability < guesses_[weakest].probability))
+            weakest = i;
+    }
+    if (weakest == guesses_.size())
+        return false;
+    const CheckId check = guesses_[weakest].check;
+    const double probability = guesses_[weakest].probability;
+    takeBack(weakest);
+    next_ = check;
+    guess(probability, false);
+    return true;
+}
+
+/// Takes back all guesses from this one on.
+void LazySearch::takeBack(std::size_t first)
+{
+    if (first >= guesses_.size())
+        return;
+    tree_.record(nullptr);
+    for (; guesses_.size() > first; guesses_.pop_back())
+    {
+        const Guess& guess = guesses_.back();
+        tree_.undo(guess.check, guess.journal);
+        if (!guess.check.isMotion())
+            predictor_.forget(guess.check.node(), guess.valid);
+    }
+    if (!guesses_.empty())
+        tree_.record(&guesses_.back().journal);
+    plan_ = Plan::Unfinished;
+    pathHolds_ = false;
+    stuck_ = false;
+}
+
+void LazySearch::learned(CheckId check, bool valid)
+{
+    const auto place = std::ranges::find(guesses_, check, &Guess::check);
+    if (place != guesses_.end() && place->valid != valid)
+        takeBack(static_cast<std::size_t>(place - guesses_.begin()));
+}
+
+void LazySearch::missed()
+{
+    takeBack(0);
+}
+
+bool LazySearch::stillWanted(CheckId check) const
+{
+    return std::ranges::find(guesses_, check, &Guess::check) != guesses_.end();
+}
+
+/// Keeps the path with its costs as the lattice has them, not rounded.
+void LazySearch::finish()
+{
+    solution_.assign(1, path_.empty() ? tree_.nearestGoal() : tree_.from(path_.back()));
+    solutionCosts_.assign(1, 0.0);
+    for (auto place = path_.rbegin(); place != path_.rend(); ++place)
+    {
+        const LazyTree::EdgeId edge = *place;
+        lattice_.successors(tree_.from(edge), successors_);
+        solution_.push_back(tree_.to(edge));
+        solutionCosts_.push_back(solutionCosts_.back() + successors_.edges[tree_.indexOf(edge)].cost);
+    }
+}
+
+std::vector<NodeId> LazySearch::pathTo(NodeId node) const
+{
+    const auto place = std::ranges::find(solution_, node);
+    return place == solution_.end() ? std::vector<NodeId>{} : std::vector<NodeId>(solution_.begin(), place + 1);
+}
+
+double LazySearch::costToCome(NodeId node) const noexcept
+{
+    const auto place = std::ranges::find(solution_, node);
+    return place == solution_.end() ? LazyTree::kUnreached
+                                    : solutionCosts_[static_cast<std::size_t>(place - solution_.begin())];
+}
+
+NodeId LazySearch::parent(NodeId node) const noexcept
+{
+    const auto place = std::ranges::find(solution_, node);
+    return place == solution_.end() || place == solution_.begin() ? lattice::kNoNode : *(place - 1);
+}
+}  // namespace specplan::search

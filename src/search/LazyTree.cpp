@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "specplan/search/LazyTree.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+
+#include "specplan/util/Hash.h"
+
+namespace specplan::search
+{
+using validity::Verdict;
+
+namespace
+{
+/// Rounding changes a step of average length by less than this share of it.
+constexpr int kUnitBits = 32;
+
+/// Estimates are shortened by this share, which is more than rounding can take off the costs: so they stay consistent,
+/// and all nodes on equally short paths come before the goal.
+constexpr double kShorter = 1.0 - 0x1p-26;
+}  // namespace
+
+LazyTree::LazyTree(lattice::Lattice& lattice, const lattice::Heuristic& heuristic)
+    : lattice_(lattice), heuristic_(heuristic)
+{
+}
+
+void LazyTree::addStart(NodeId start)
+{
+    if (unit_ == 0.0)
+        chooseUnit(start);
+    Node& node = touch(start);
+    node.start = true;
+    node.verdict = Verdict::Valid;
+    set(start, node.g, 0.0, kNoEdge);
+}
+
+void LazyTree::addGoal(NodeId goal)
+{
+    if (isGoal(goal))
+        return;
+    touch(goal).goal = true;
+    goals_.push_back(goal);
+    goalsChanged_ = true;
+}
+
+/// From the steps out of a start, or from the way to go if that is very much longer: its sums have to stay exact.
+void LazyTree::chooseUnit(NodeId start)
+{
+    lattice_.successors(start, successors_);
+    double scale = heuristic_.estimate(start) * 0x1p-10;
+    for (const lattice::Successors::Edge& edge : successors_.edges)
+        scale = std::max(scale, edge.cost);
+    int exponent = 0;
+    (void)std::frexp(scale > 0.0 ? scale : 1.0, &exponent);
+    unit_ = std::ldexp(1.0, exponent - kUnitBits);
+}
+
+double LazyTree::rounded(double cost) const noexcept
+{
+    return std::max(std::nearbyint(cost / unit_), 1.0) * unit_;
+}
+
+NodeId LazyTree::nearestGoal()
+{
+    if (!goalsChanged_)
+        return nearestGoal_;
+    goalsChanged_ = false;
+    nearestGoal_ = lattice::kNoNode;
+    for (const NodeId goal : goals_)
+    {
+        const double best = nearestGoal_ == lattice::kNoNode ? kUnreached : nodes_[nearestGoal_].g;
+        if (nodes_[goal].g < best ||
+            (nodes_[goal].g == best && best < kUnreached &&
+             std::ranges::lexicographical_compare(lattice_.coordinates(goal), lattice_.coordinates(nearestGoal_))))
+            nearestGoal_ = goal;
+    }
+    return nearestGoal_;
+}
+
+/// Whether nothing on OPEN can shorten the way to the nearest goal, or lie on it.
+bool LazyTree::isDone()
+{
+    const util::OpenKey& first = open_.top().key;
+    if (first.f == kUnreached)
+        return true;
+    const NodeId goal = nearestGoal();
+    if (goal == lattice::kNoNode)
+        return false;
+    const double g = nodes_[goal].g;
+    return nodes_[goal].rhs == g && (first.f > g || (first.f == g && -first.g >= g));
+}
+
+bool LazyTree::repair(std::size_t budget)
+{
+    for (; !open_.empty() && !isDone(); --budget)
+    {
+        if (budget == 0)
+            return false;
+        expand(open_.top().item);
+    }
+    return true;
+}
+
+/// A better way to the node was found: passes it on.
+void LazyTree::expand(NodeId id)
+{
+    ++expansions_;
+    connect(id);
+    set(id, nodes_[id].rhs, nodes_[id].rhs, nodes_[id].via);
+    const double g = nodes_[id].g;
+    const EdgeId first = nodes_[id].firstOut;
+    const EdgeId end = first + nodes_[id].out;
+    for (EdgeId e = first; e < end; ++e)
+    {
+        const Edge& edge = edges_[e];
+        const Node& to = nodes_[edge.to];
+        if (!(g + edge.cost < to.rhs))
+            continue;
+        if (const double rhs = g + costOf(edge); rhs < to.rhs)
+            set(edge.to, to.g, rhs, e);
+    }
+}
+
+/// The way to the node may be lost: so may be those of all that came through it. They look for others together.
+void LazyTree::lose(NodeId id)
+{
+    lost_.clear();
+    doubt(id);
+    for (std::size_t i = 0; i < lost_.size(); ++i)
+    {
+        const EdgeId first = nodes_[lost_[i]].firstOut;
+        const EdgeId end = first == kNoEdge ? first : first + nodes_[lost_[i]].out;
+        for (EdgeId e = first; e < end; ++e)
+            if (nodes_[edges_[e].to].via == e)
+                doubt(edges_[e].to);
+    }
+    for (const NodeId lost : lost_)
+        look(lost);
+}
+
+/// Finds another way of the same cost into a node, or counts it among the lost.
+void LazyTree::doubt(NodeId id)
+{
+    const Node& node = nodes_[id];
+    if (node.start || node.rhs == kUnreached)
+        return;
+    const EdgeId via = bestInto(id);
+    if (via != kNoEdge)
+        set(id, node.g, node.rhs, via);
+    else
+    {
+        set(id, kUnreached, kUnreached, kNoEdge);
+        lost_.push_back(id);
+    }
+}
+
+/// Finds the best way into a node.
+void LazyTree::look(NodeId id)
+{
+    const Node& node = nodes_[id];
+    if (node.start || node.verdict == Verdict::Invalid)
+        return;
+    double rhs = kUnreached;
+    EdgeId via = kNoEdge;
+    visitInto(id,
+              [&](const Into::Motion& into)
+              {
+                  const double g = nodes_[into.from].g;
+                  if (!(g + into.cost <= rhs) || g == kUnreached)
+                      return;
+                  const double cost = g + costOf(edges_[into.edge]);
+                  if (cost < rhs || (cost == rhs && cost < kUnreached && comesBefore(into.edge, via)))
+                  {
+                      rhs = cost;
+                      via = into.edge;
+                  }
+              });
+    set(id, node.g, rhs, via);
+}
+
+/// Visits the known motions into a node. In no particular order: which of equals is taken must not depend on it.
+template <typename Visit>
+void LazyTree::visitInto(NodeId id, Visit visit) const
+{
+    for (std::uint32_t block = nodes_[id].firstIn; block != kNoEdge; block = into_[block].next)
+        for (std::uint32_t i = 0; i < into_[block].count; ++i)
+            visit(into_[block].motions[i]);
+}
+
+void LazyTree::addInto(NodeId id, const Into::Motion& motion)
+{
+    const std::uint32_t first = nodes_[id].firstIn;
+    if (first == kNoEdge || into_[first].count == into_[first].motions.size())
+    {
+        into_.push_back({{}, 0, first});
+        nodes_[id].firstIn = static_cast<std::uint32_t>(into_.size() - 1);
+    }
+    Into& into = into_[nodes_[id].firstIn];
+    into.motions[into.count++] = motion;
+}
+
+void LazyTree::set(NodeId id, double g, double rhs, EdgeId via)
+{
+    Node& node = nodes_[id];
+    if (journal_ != nullptr && node.recorded != journals_)
+    {
+        node.recorded = journals_;
+        journal_->push_back({node.g, node.rhs, id, node.via});
+    }
+    node.g = g;
+    node.rhs = rhs;
+    node.via = via;
+    place(id);
+}
+
+/// Puts a node on OPEN if it is inconsistent, and takes it off if not.
+void LazyTree::place(NodeId id)
+{
+    const Node& node = nodes_[id];
+    goalsChanged_ = goalsChanged_ || node.goal;
+    if (node.g != node.rhs)
+    {
+        const double g = std::min(node.g, node.rhs);
+        open_.push(id, {g + node.h, -g, node.rank});
+    }
+    else if (open_.contains(id))
+        open_.erase(id);
+}
+
+/// Asks for the motions out of a node, the first time.
+void LazyTree::connect(NodeId id)
+{
+    if (nodes_[id].firstOut != kNoEdge)
+        return;
+    lattice_.successors(id, successors_);
+    if (edges_.size() + successors_.edges.size() >= kNoEdge || inner_.size() + successors_.inner.size() >= kNoEdge)
+        throw std::length_error("a lazy search has more than 2^32 touched motions; choose a coarser resolution");
+    nodes_[id].firstOut = static_cast<EdgeId>(edges_.size());
+    nodes_[id].out = static_cast<std::uint16_t>(successors_.edges.size());
+    for (const lattice::Successors::Edge& motion : successors_.edges)
+    {
+        touch(motion.node);
+        edges_.push_back({rounded(motion.cost), id, motion.node, 0});
+        addInto(motion.node, {edges_.back().cost, id, static_cast<EdgeId>(edges_.size() - 1)});
+        if (motion.inner == 0)
+            continue;
+        if (inner_.empty())
+        {
+            inner_.resize(1);  // 0 means none
+            innerCounts_.resize(1);
+        }
+        edges_.back().inner = static_cast<std::uint32_t>(inner_.size());
+        for (std::uint32_t i = 0; i < motion.inner; ++i)
+        {
+            const CheckId check = successors_.inner[motion.firstInner + i];
+            inner_.push_back(check);
+            innerCounts_.push_back(motion.inner - i);
+        }
+    }
+}
+
+std::span<const CheckId> LazyTree::innerOf(EdgeId edge) const noexcept
+{
+    const std::uint32_t first = edges_[edge].inner;
+    return first == 0 ? std::span<const CheckId>{} : std::span(inner_).subspan(first, innerCounts_[first]);
+}
+
+double LazyTree::costOf(const Edge& edge) const noexcept
+{
+    return nodes_[edge.to].verdict == Verdict::Invalid || isClosed(edge) ? kUnreached : edge.cost;
+}
+
+/// Whether something inside or beside the motion is known to be invalid.
+bool LazyTree::isClosed(const Edge& edge) const noexcept
+{
+    if (edge.inner == 0)
+        return false;
+    for (std::uint32_t i = edge.inner, end = i + innerCounts_[i]; i < end; ++i)
+        if (verdict(inner_[i]) == Verdict::Invalid)
+            return true;
+    return false;
+}
+
+bool LazyTree::findPath(std::vector<EdgeId>& path)
+{
+    path.clear();
+    for (NodeId node = nearestGoal(); !nodes_[node].start;)
+    {
+        const EdgeId best = bestInto(node);
+        if (best == kNoEdge)
+        {
+            lose(node);
+            return false;
+        }
+        path.push_back(best);
+        node = edges_[best].from;
+    }
+    return true;
+}
+
+/// The motion by which the shortest path comes into a node; kNoEdge if its values no longer hold.
+LazyTree::EdgeId LazyTree::bestInto(NodeId id) const
+{
+    const Node& node = nodes_[id];
+    EdgeId best = kNoEdge;
+    visitInto(id,
+              [&](const Into::Motion& into)
+              {
+                  const double g = nodes_[into.from].g;
+                  if (g + into.cost <= node.rhs && g + costOf(edges_[into.edge]) == node.rhs &&
+                      (best == kNoEdge || comesBefore(into.edge, best)))
+                      best = into.edge;
+              });
+    return best;
+}
+
+bool LazyTree::comesBefore(EdgeId edge, EdgeId other) const
+{
+    const NodeId a = edges_[edge].from;
+    const NodeId b = edges_[other].from;
+    return a == b ? edge < other
+                  : std::ranges::lexicographical_compare(lattice_.coordinates(a), lattice_.coordinates(b));
+}
+
+void LazyTree::enter(CheckId check, bool valid)
+{
+    const Verdict verdict = valid ? Verdict::Valid : Verdict::Invalid;
+    if (check.isMotion())
+    {
+        if (check.motion() >= motions_.size())
+            motions_.resize(std::max<std::size_t>(check.motion() + std::size_t{1}, motions_.size() * 2));
+        motions_[check.motion()] = verdict;
+        if (!valid)
+            lose(lattice_.motion(check.motion()).to);
+        return;
+    }
+    const NodeId node = check.node();
+    touch(node).verdict = verdict;
+    if (!valid)
+        lose(node);
+}
+
+Verdict LazyTree::verdict(CheckId check) const noexcept
+{
+    if (check.isMotion())
+        return check.motion() < motions_.size() ? motions_[check.motion()] : Verdict::Unknown;
+    return check.node() < nodes_.size() ? nodes_[check.node()].verdict : Verdict::Unknown;
+}
+
+void LazyTree::record(Journal* journal)
+{
+    journal_ = journal;
+    ++journals_;
+}
+
+void LazyTree::undo(CheckId check, const Journal& journal)
+{
+    assert(journal_ == nullptr);
+    // Backwards: a node may have been recorded twice, and its first values count.
+    for (auto change = journal.rbegin(); change != journal.rend(); ++change)
+    {
+        Node& node = nodes_[change->node];
+        node.g = change->g;
+        node.rhs = change->rhs;
+        node.via = change->via;
+        place(change->node);
+    }
+    if (check.isMotion())
+        motions_[check.motion()] = Verdict::Unknown;
+    else
+        nodes_[check.node()].verdict = Verdict::Unknown;
+}
+
+LazyTree::Node& LazyTree::touch(NodeId id)
+{
+    if (id >= nodes_.size())
+        nodes_.resize(std::max<std::size_t>(lattice_.size(), nodes_.size() * 2));
+    Node& node = nodes_[id];
+    if (node.h < 0.0)
+    {
+        node.h = kShorter * heuristic_.estimate(id);
+        node.rank = util::hashCoordinates(lattice_.coordinates(id));
+    }
+    return node;
+}
+}  // namespace specplan::search
