@@ -65,11 +65,11 @@ void addSearchOptions(CLI::App& app, CommonOptions& options, RawOptions& raw)
         ->check(CLI::Range(1U, 1000U))
         ->capture_default_str();
     app.add_flag("--barrier", planner.barrier, "Wait for all running checks at every expansion, as in the paper");
-    app.add_option("--weight", planner.weight, "Weight of the heuristic")
-        ->check(CLI::Range(1.0, 1e9))
-        ->capture_default_str();
-    app.add_option("--evaluation", options.evaluation, "eager|lazy")
-        ->check(CLI::IsMember({"eager", "lazy"}))
+    app.add_option("--weight", planner.weight, "Weight of the heuristic [1 up to four axes, 3 up to seven, 5 above]")
+        ->check(CLI::Range(1.0, 1e9));
+    app.add_option("--evaluation", planner.evaluation,
+                   "eager|lazy: check what A* meets, or only what lies on a path that may be the best")
+        ->check(CLI::IsMember(evaluations()))
         ->capture_default_str();
     CLI::Option* latency =
         app.add_option("--check-latency", raw.latency, "Each check sleeps this long, such as 5ms")->type_name("TIME");
@@ -132,8 +132,6 @@ void finish(CommonOptions& options, const RawOptions& raw, bool single)
     options.check = artificialCheck(raw);
     if (!raw.timeLimit.empty())
         options.timeLimit = parseDuration("--time-limit", raw.timeLimit);
-    if (options.evaluation == "lazy")
-        throw InputError("--evaluation: lazy is not available yet; expected eager");
     if (single && options.problem.files.size() > 1)
         throw InputError(concat("PROBLEM: expected one, found ", options.problem.files.size()));
     if (options.problem.files.size() > 1 &&
@@ -167,6 +165,10 @@ int run(int argc, char** argv)
         ->check(CLI::IsMember(speculationPolicies()))
         ->capture_default_str();
     addSearchOptions(*planApp, planOptions, raw);
+    planApp
+        ->add_flag("--explain", planOptions.explain,
+                   "Search nothing; tell the lattice that would be searched: axes, steps, size, checks, goals")
+        ->excludes("--json");
     planApp
         ->add_option("--planner", planOptions.planWith,
                      "Plan with another planner of OMPL, such as RRTConnect:range=5, for comparison; 10 s at most")

@@ -30,12 +30,12 @@ struct CommonOptions
     PlannerSettings planner;
     problems::ArtificialCheck check;
     std::optional<std::chrono::nanoseconds> timeLimit;
-    std::string evaluation = "eager";
     bool json = false;
 };
 
 struct PlanOptions : CommonOptions
 {
+    bool explain = false;  ///< tell the lattice instead of searching it
     std::string planWith;  ///< another planner instead of ours; empty: none
     std::string svgFile;
     std::string traceFile;

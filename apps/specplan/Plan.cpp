@@ -13,6 +13,11 @@ namespace specplan::command
 int plan(const PlanOptions& options, std::ostream& out)
 {
     const std::unique_ptr<Problem> problem = readProblem(options.problem.files.front(), options.problem);
+    if (options.explain)
+    {
+        explain(*problem, options, out);
+        return 0;
+    }
     for (const std::string& file : {options.svgFile, options.traceFile, options.pathFile})
         if (!file.empty())
             problems::requireWritable(file);

@@ -103,8 +103,8 @@ nlohmann::ordered_json toJson(const Run& run)
     json["efficiency"] = report.efficiency;
     json["threads"] = report.threads;
     json["policy"] = run.settings.speculationPolicy;
-    json["weight"] = run.settings.weight;
-    json["evaluation"] = "eager";
+    json["weight"] = run.report.weight;
+    json["evaluation"] = run.settings.evaluation;
     json["order_hash"] = hashText(report.orderHash);
     json["planner"] = run.plannerName;
     return json;
@@ -126,7 +126,7 @@ void printRun(std::ostream& out, const Run& run)
         return;
     }
     line("search", concat(policyText(run), ", ", report.threads, report.threads == 1 ? " thread" : " threads",
-                          ", weight ", run.settings.weight));
+                          ", weight ", run.report.weight));
     line("expansions", concat(report.expansions, ", order ", hashText(report.orderHash)));
     line("checks used", concat(report.checksUsed, " of ", report.checksTotal, " run"));
     if (report.speculativeChecks > 0)

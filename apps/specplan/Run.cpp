@@ -74,6 +74,16 @@ Run planOnce(const Problem& problem, const CommonOptions& options, const Planner
     return run;
 }
 
+void explain(const Problem& problem, const CommonOptions& options, std::ostream& out)
+{
+    const auto setup = problem.makeSetup({});
+    const auto planner =
+        std::make_shared<SpeculativeAStar>(setup->getSpaceInformation(), problem.settle(options.planner));
+    setup->setPlanner(planner);
+    setup->setup();
+    planner->explain(out);
+}
+
 Run planOnceWith(const Problem& problem, const CommonOptions& options, const problems::PlannerRequest& request)
 {
     Run run;

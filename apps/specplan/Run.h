@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 #include <memory>
 #include <vector>
 
@@ -43,6 +44,9 @@ struct Run
 /// \param keepOrder whether to note the expanded states.
 [[nodiscard]] Run planOnce(const Problem& problem, const CommonOptions& options, const PlannerSettings& settings,
                            bool keepOrder);
+
+/// Tells which lattice planOnce() would search.
+void explain(const Problem& problem, const CommonOptions& options, std::ostream& out);
 
 /// The same with any planner, for comparison. Without a time limit it has ten seconds: many of OMPL's planners use all
 /// the time there is. Of the report only status, cost and wall time mean anything.

@@ -73,17 +73,19 @@ std::unique_ptr<speculation::Predictor> LatticeQuery::makePredictor()
     return std::make_unique<speculation::LearningPredictor>(lattice_);
 }
 
-std::unique_ptr<speculation::Policy> LatticeQuery::makePolicy(double weight)
+std::unique_ptr<speculation::Policy> LatticeQuery::makePolicy()
 {
     if (speculates_ && settings_.speculationPolicy == "direction")
         return std::make_unique<speculation::DirectionPolicy>(lattice_, broker_, settings_.lookahead);
     if (speculates_ && settings_.speculationPolicy == "runahead")
-        return std::make_unique<speculation::RunAheadPolicy>(lattice_, broker_, *search_, *predictor_, weight);
+        return std::make_unique<speculation::RunAheadPolicy>(lattice_, broker_, *eager_, *predictor_, weight_);
     return nullptr;
 }
 
 double LatticeQuery::firstWeight() const
 {
+    if (isLazy())
+        return 1.0;
     if (settings_.weight > 0.0)
         return settings_.weight;
     return automaticWeight(embedding_.axes());
@@ -91,9 +93,7 @@ double LatticeQuery::firstWeight() const
 
 void LatticeQuery::beginQuery()
 {
-    broker_.setSource(nullptr);
-    policy_.reset();
-    search_.reset();
+    dropSearch();
     broker_.beginQuery();
     lattice_.disconnectAll();
     heuristic_.clear();
@@ -194,8 +194,8 @@ void LatticeQuery::addGoal(const ob::State* state)
     heuristic_.addState(state);
     goalStates_.emplace_back(si_, state);
     goalNodes_.push_back(node);
-    if (search_)
-        search_->addGoal(node);
+    if (eager_ != nullptr)
+        eager_->addGoal(node);
 }
 
 void LatticeQuery::setGoal(const ob::GoalPtr& goal, bool region)
@@ -207,33 +207,88 @@ void LatticeQuery::setGoal(const ob::GoalPtr& goal, bool region)
 
 void LatticeQuery::goalsChanged()
 {
-    search_->heuristicChanged();
+    if (eager_ != nullptr)
+        eager_->heuristicChanged();
+    else
+        beginSearch(weight_);
+}
+
+void LatticeQuery::dropSearch()
+{
+    broker_.setSource(nullptr);
+    policy_.reset();
+    eager_ = nullptr;
+    lazy_ = nullptr;
+    search_.reset();
 }
 
 void LatticeQuery::beginSearch(double weight)
 {
-    search_ = std::make_unique<search::AStar>(lattice_, heuristic_, broker_, weight,
-                                              lattice::CostSum(addsCosts() ? nullptr : &*costs_));
-    search_->setReopening(!heuristic_.isConsistent());
-    policy_ = makePolicy(weight);
+    dropSearch();
+    weight_ = weight;
+    if (isLazy())
+        beginLazySearch();
+    else
+        beginEagerSearch();
+}
+
+void LatticeQuery::beginEagerSearch()
+{
+    auto search = std::make_unique<search::AStar>(lattice_, heuristic_, broker_, weight_,
+                                                  lattice::CostSum(addsCosts() ? nullptr : &*costs_));
+    eager_ = search.get();
+    search_ = std::move(search);
+    eager_->setReopening(!heuristic_.isConsistent());
+    policy_ = makePolicy();
     broker_.setSource(policy_.get());
-    search_->setPolicy(policy_.get());
+    eager_->setPolicy(policy_.get());
     if (region_)
-        search_->setGoalTest([this](NodeId node) { return goal_->isSatisfied(stateOf(node).get()); });
+        eager_->setGoalTest([this](NodeId node) { return goal_->isSatisfied(stateOf(node).get()); });
     for (const NodeId goal : goalNodes_)
-        search_->addGoal(goal);
+        eager_->addGoal(goal);
     for (std::size_t i = 0; i < startNodes_.size(); ++i)
-        search_->addStart(startNodes_[i],
-                          costs_ ? costs_->number(objective_->initialCost(startStates_[i].get())) : 0.0);
+        eager_->addStart(startNodes_[i], costs_ ? costs_->number(objective_->initialCost(startStates_[i].get())) : 0.0);
+}
+
+/// Lazy search wants costs that are known before anything is checked, and goals that are nodes.
+bool LatticeQuery::canBeLazy() const
+{
+    return !costs_ && !region_ && heuristic_.isConsistent();
+}
+
+void LatticeQuery::beginLazySearch()
+{
+    auto search = std::make_unique<search::LazySearch>(lattice_, heuristic_, broker_);
+    lazy_ = search.get();
+    search_ = std::move(search);
+    if (speculates_)
+        broker_.setSource(lazy_);
+    for (const NodeId goal : goalNodes_)
+        lazy_->addGoal(goal);
+    for (const NodeId start : startNodes_)
+        lazy_->addStart(start);
+}
+
+void LatticeQuery::setObserver(std::function<void(NodeId)> observer)
+{
+    if (eager_ != nullptr)
+        eager_->setObserver(std::move(observer));
+    else if (!observer)
+        lazy_->setObserver({});
+    else
+        lazy_->setObserver(
+            [told = std::move(observer)](CheckId check, bool)
+            {
+                if (!check.isMotion())
+                    told(check.node());
+            });
 }
 
 bool LatticeQuery::refine()
 {
     if (!embedding_.refine())
         return false;
-    broker_.setSource(nullptr);
-    policy_.reset();
-    search_.reset();
+    dropSearch();
     lattice_.disconnectAll();  // terminals have other nodes around them now
     lattice_.setNeighbourhood(embedding_.neighbourhood(discreteMotions_));
     const std::vector<StateHandle> starts = std::move(startStates_);

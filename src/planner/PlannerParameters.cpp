@@ -199,6 +199,7 @@ void validate(const PlannerSettings& settings)
     requireOneOf("speculation_policy", settings.speculationPolicy, speculationPolicies());
     requireOneOf("predictor", settings.predictor, predictors());
     requireRange("lookahead", settings.lookahead, 1, kMaxLookahead, false);
+    requireOneOf("evaluation", settings.evaluation, evaluations());
     requireRange("weight", settings.weight, 1, kMaxWeight, true);
     requireRange("resolution", settings.resolution, kMinResolution, 1, true);
     for (const double spacing : settings.spacing)
@@ -219,6 +220,7 @@ void declareParameters(ompl::base::ParamSet& params, std::function<PlannerSettin
     declarer.choice("predictor", &PlannerSettings::predictor, joined(predictors()));
     declarer.number("lookahead", &PlannerSettings::lookahead, "1:1:1000");
     declarer.flag("barrier", &PlannerSettings::barrier);
+    declarer.choice("evaluation", &PlannerSettings::evaluation, joined(evaluations()));
     declarer.number("weight", &PlannerSettings::weight, "0.:.1:1000000000.");
     declarer.flag("anytime", &PlannerSettings::anytime);
     declarer.number("resolution", &PlannerSettings::resolution, "0.:.001:1.");

@@ -42,7 +42,7 @@ constexpr double kLeastWeight = 1.05;
 auto asTuple(const PlannerSettings& s)
 {
     return std::tie(s.numThreads, s.speculationPolicy, s.predictor, s.lookahead, s.barrier, s.weight, s.anytime,
-                    s.resolution, s.spacing, s.connectivity, s.cornerCutting, s.objectiveInChecks, s.executor,
+                    s.evaluation, s.resolution, s.spacing, s.connectivity, s.cornerCutting, s.objectiveInChecks, s.executor,
                     s.virtualCheckCost);
 }
 
@@ -259,7 +259,7 @@ void PlannerSession::beginSearch()
 
 std::uint64_t PlannerSession::expansions() const
 {
-    return past_.expansions + (query && query->isSearching() ? query->search().expansions() : 0);
+    return past_.expansions + (query && query->isSearching() ? query->search().steps() : 0);
 }
 
 std::uint64_t PlannerSession::orderHash() const
@@ -291,14 +291,14 @@ SearchStatus PlannerSession::search(ob::PlannerInputStates& inputs, const ob::Go
             session.clockInSearch_ += session.executor->now() - clock;
             session.query->broker().settle();
             session.query->broker().setInterrupt({});
-            session.query->search().setObserver({});
+            session.query->setObserver({});
             session.publishCounts();
         }
     };
     const Settle settle{*this};
     query->broker().setInterrupt([&ptc] { return ptc(); });
     if (observer)
-        query->search().setObserver([this](NodeId node) { observer(query->stateOf(node).get()); });
+        query->setObserver([this](NodeId node) { observer(query->stateOf(node).get()); });
     for (;;)
     {
         bool goalCameUp = false;
@@ -405,6 +405,7 @@ void PlannerSession::fillReport()
 {
     const CheckStatistics& counts = query->broker().statistics();
     report.cost = bestCost_ ? bestCost_->value() : std::numeric_limits<double>::quiet_NaN();
+    report.weight = weight_;
     report.bound = bound_;
     report.refinements = refinements_;
     report.expansions = expansions();

@@ -9,6 +9,12 @@ const std::vector<std::string>& speculationPolicies()
     return policies;
 }
 
+const std::vector<std::string>& evaluations()
+{
+    static const std::vector<std::string> names{"eager", "lazy"};
+    return names;
+}
+
 const std::vector<std::string>& predictors()
 {
     static const std::vector<std::string> names{"optimistic", "nearby", "learning"};

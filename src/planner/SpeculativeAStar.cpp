@@ -184,13 +184,15 @@ void SpeculativeAStar::visitStates(const std::function<void(const ob::State*, St
     {
         const validity::Verdict verdict = query.broker().verdict(validity::CheckId::ofState(node));
         std::optional<StateFate> fate;
-        if (query.search().isExpanded(node))
+        if (verdict == validity::Verdict::Invalid)
+            fate =
+                query.broker().isUsed(validity::CheckId::ofState(node)) ? StateFate::Invalid : StateFate::CheckedUnused;
+        else if (query.search().isExpanded(node))
             fate = StateFate::Expanded;
         else if (std::isfinite(query.search().costToCome(node)))
             fate = StateFate::Open;
         else if (validity::isKnown(verdict))
-            fate =
-                query.broker().isUsed(validity::CheckId::ofState(node)) ? StateFate::Invalid : StateFate::CheckedUnused;
+            fate = StateFate::CheckedUnused;
         if (fate)
             visit(query.stateOf(node).get(), *fate);
     }

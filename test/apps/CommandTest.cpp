@@ -203,7 +203,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"plan MAP --start 0,0 --goal 0,1 --cost gold", "gold"},
         BadCall{"plan MAP --start 0,0 --goal 0,1 --lookahead 0", "--lookahead"},
         BadCall{"plan MAP --start 0,0 --goal 0,1 --executor quantum", "quantum"},
-        BadCall{"plan MAP --start 0,0 --goal 0,1 --evaluation lazy", "lazy is not available yet"},
+        BadCall{"plan MAP --start 0,0 --goal 0,1 --evaluation sloppy", "--evaluation: sloppy not in"},
         BadCall{"plan MAP --start 0,0 --goal 0,1 --check-latency 5",
                 "--check-latency: expected a duration such as 5ms"},
         BadCall{"plan MAP --start 0,0 --goal 0,1 --check-busy -5ms", "--check-busy"},

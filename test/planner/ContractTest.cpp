@@ -380,6 +380,46 @@ TEST_P(ContractTest, Holds)
     }
 }
 
+class LazyContractTest : public testing::TestWithParam<Contract>
+{
+};
+
+/// Lazy evaluation finds a path of the same cost for fewer checks, and always the same one.
+TEST_P(LazyContractTest, Holds)
+{
+    const Contract& contract = GetParam();
+    Problem eager(contract);
+    ASSERT_EQ(eager.solve(1, "threads"), ob::PlannerStatus::EXACT_SOLUTION);
+    const SearchReport& eagerly = eager.planner->getReport();
+    std::optional<std::uint64_t> order;
+    for (const auto& [threads, executor] : {std::pair{1U, "threads"}, {4U, "threads"}, {16U, "virtual"}})
+    {
+        Problem problem(contract);
+        problem.settings.evaluation = "lazy";
+        ASSERT_EQ(problem.solve(threads, executor), ob::PlannerStatus::EXACT_SOLUTION)
+            << problem.planner->getReport().status << ' ' << problem.planner->getReport().error;
+        auto& path = *problem.pdef->getSolutionPath()->as<og::PathGeometric>();
+        EXPECT_TRUE(path.check());
+        EXPECT_TRUE(problem.pdef->getGoal()->isSatisfied(path.getStates().back()));
+        const SearchReport& report = problem.planner->getReport();
+        EXPECT_NEAR(report.cost, eagerly.cost, 1e-9 * eagerly.cost);
+        EXPECT_NEAR(path.length(), report.cost, 1e-9 * report.cost);
+        EXPECT_LE(report.checksUsed, eagerly.checksUsed);
+        EXPECT_EQ(report.checksUsed, report.usedReady + report.usedAfterWait + report.usedInline);
+        EXPECT_EQ(order.value_or(report.orderHash), report.orderHash);
+        order = report.orderHash;
+    }
+}
+
+std::vector<Contract> lazyContracts()
+{
+    std::vector<Contract> all;
+    for (std::size_t space = 0; space < spaceCases().size(); ++space)
+        for (const char* goal : {"State", "TwoStarts", "TwoStates"})
+            all.push_back({space, goal, "Length"});
+    return all;
+}
+
 std::vector<Contract> contracts()
 {
     std::vector<Contract> all;
@@ -393,9 +433,12 @@ std::vector<Contract> contracts()
     return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ContractTest, testing::ValuesIn(contracts()),
-                         [](const testing::TestParamInfo<Contract>& of) {
-                             return spaceCases()[of.param.space].name + "_" + of.param.goal + "_" + of.param.objective;
-                         });
+std::string nameOf(const testing::TestParamInfo<Contract>& of)
+{
+    return spaceCases()[of.param.space].name + "_" + of.param.goal + "_" + of.param.objective;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ContractTest, testing::ValuesIn(contracts()), nameOf);
+INSTANTIATE_TEST_SUITE_P(All, LazyContractTest, testing::ValuesIn(lazyContracts()), nameOf);
 }  // namespace
 }  // namespace specplan::test

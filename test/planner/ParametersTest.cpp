@@ -79,7 +79,7 @@ TEST(Parameters, RoundTripThroughStrings)
                                                     {"executor", "virtual"},
                                                     {"virtual_check_cost", "0.005"},
                                                     {"rethrow_exceptions", "1"},
-                                                    {"anytime", "0"},
+                                                    {"anytime", "0"}, {"evaluation", "lazy"},
                                                     {"objective_in_checks", "0"}};
     ASSERT_TRUE(one.params().setParams(values));
     std::map<std::string, std::string> read;
@@ -97,7 +97,7 @@ TEST(Parameters, AreAllDocumentedWithTheirDefaultsAndRanges)
     SpeculativeAStar planner(scene.setup.getSpaceInformation());
     std::vector<std::string> names;
     planner.params().getParamNames(names);
-    EXPECT_EQ(names.size(), 15U);
+    EXPECT_EQ(names.size(), 16U);
     for (const std::string& name : names)
     {
         const auto& param = planner.params()[name];

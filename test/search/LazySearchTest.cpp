@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "specplan/search/AStar.h"
 #include "specplan/search/LazySearch.h"
 
 #include <gtest/gtest.h>

@@ -13,6 +13,7 @@
 #include "specplan/planner/OmplChecker.h"
 #include "specplan/planner/PlannerSettings.h"
 #include "specplan/search/AStar.h"
+#include "specplan/search/LazySearch.h"
 #include "specplan/speculation/Predictor.h"
 #include "specplan/validity/Broker.h"
 
@@ -47,13 +48,22 @@ public:
     /// Begins the search afresh with all starts and goals so far. \param weight of the heuristic, at least 1.
     void beginSearch(double weight);
 
+    /// Told of each state in the order in which the search comes to it. Empty for none.
+    void setObserver(std::function<void(lattice::NodeId node)> observer);
+
     /// Lets the search take up goals that were added after it began.
     void goalsChanged();
 
     /// Halves the spacing of the lattice; `beginSearch` has to follow. \return false if that is not possible.
     bool refine();
 
-    /// Weight that the settings stand for.
+    /// Whether the search checks lazily.
+    [[nodiscard]] bool isLazy() const noexcept
+    {
+        return settings_.evaluation == "lazy" && canBeLazy();
+    }
+
+    /// Weight that the settings stand for; 1 for searches that have none.
     [[nodiscard]] double firstWeight() const;
 
     /// Whether costs add up, so that weights have a meaning.
@@ -73,12 +83,12 @@ public:
         return search_ != nullptr;
     }
 
-    [[nodiscard]] search::AStar& search() noexcept
+    [[nodiscard]] search::LatticeSearch& search() noexcept
     {
         return *search_;
     }
 
-    [[nodiscard]] const search::AStar& search() const noexcept
+    [[nodiscard]] const search::LatticeSearch& search() const noexcept
     {
         return *search_;
     }
@@ -149,7 +159,11 @@ private:
     [[nodiscard]] std::optional<lattice::NodeId> nodeExactlyAt(const ompl::base::State* state,
                                                                const std::vector<Embedding::Coordinates>& corners);
     [[nodiscard]] std::unique_ptr<speculation::Predictor> makePredictor();
-    [[nodiscard]] std::unique_ptr<speculation::Policy> makePolicy(double weight);
+    [[nodiscard]] std::unique_ptr<speculation::Policy> makePolicy();
+    void beginEagerSearch();
+    void beginLazySearch();
+    [[nodiscard]] bool canBeLazy() const;
+    void dropSearch();
     /// A terminal at this state; the one of an earlier query if there is one.
     lattice::NodeId terminalAt(const ompl::base::State* state);
     lattice::NodeId nodeFor(const ompl::base::State* state, Embedding::Joint joint);
@@ -177,7 +191,10 @@ private:
     GoalHeuristic heuristic_;
     ompl::base::GoalPtr goal_;
     bool region_ = false;
-    std::unique_ptr<search::AStar> search_;
+    std::unique_ptr<search::LatticeSearch> search_;
+    search::AStar* eager_ = nullptr;               ///< the search, if it evaluates eagerly
+    search::LazySearch* lazy_ = nullptr;           ///< the search, if it evaluates lazily
+    double weight_ = 1.0;                          ///< of the search
     std::unique_ptr<speculation::Policy> policy_;  ///< of this search
     std::vector<StateHandle> startStates_;
     std::vector<StateHandle> goalStates_;

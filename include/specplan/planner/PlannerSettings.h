@@ -13,6 +13,9 @@ const std::vector<std::string>& speculationPolicies();
 /// The names of all predictors.
 const std::vector<std::string>& predictors();
 
+/// The names of all ways to evaluate.
+const std::vector<std::string>& evaluations();
+
 /// Every knob of SpeculativeAStar with its default. The names in parentheses are the OMPL parameters.
 struct PlannerSettings
 {
@@ -31,6 +34,11 @@ struct PlannerSettings
 
     /// Whether every wait lasts until all running checks are back, as in the paper (`barrier`). For reproduction only.
     bool barrier = false;
+
+    /// When states and motions are checked (`evaluation`): "eager", as soon as an expansion meets them, which is A*; or
+    /// "lazy", once they lie on a path that may be the best, which needs fewer checks and more time of the search's own.
+    /// Lazily only for path length and goals that are states; the path is always optimal on the lattice.
+    std::string evaluation = "eager";
 
     /// Weight of the heuristic (`weight`), 1 to 1e9: the cost is at most this many times the lattice optimum. 0
     /// chooses: 1 up to four axes, 3 up to seven, 5 above. Of no effect where the objective does not add up costs.

@@ -10,6 +10,7 @@
 #include "specplan/lattice/CostAlgebra.h"
 #include "specplan/lattice/Heuristic.h"
 #include "specplan/lattice/Lattice.h"
+#include "specplan/search/LatticeSearch.h"
 #include "specplan/speculation/FrontierView.h"
 #include "specplan/speculation/Policy.h"
 #include "specplan/util/OpenList.h"
@@ -18,15 +19,6 @@
 namespace specplan::search
 {
 using lattice::CheckId;
-using lattice::NodeId;
-
-/// How a search ended.
-enum class SearchStatus
-{
-    Solved,      ///< a goal was expanded
-    Infeasible,  ///< OPEN is empty: no goal can be reached on this lattice
-    Stopped      ///< the caller's condition; `run` may be called again and goes on
-};
 
 /// Weighted A* over a lattice whose validity is found out on the way.
 ///
@@ -43,7 +35,7 @@ enum class SearchStatus
 /// together by a CostAlgebra where they do not add up; the weight is 1 then.
 ///
 /// Threads: one, the search thread.
-class AStar : public speculation::FrontierView
+class AStar : public LatticeSearch, public speculation::FrontierView
 {
 public:
     /// \param weight at least 1. \param sum how costs are put together. All references must outlive the search.
@@ -90,16 +82,16 @@ public:
 
     /// Searches until a goal is expanded, OPEN is empty, or `stop` returns true; `stop` is asked once per expansion.
     /// \throws what a check threw that the search needs. The search can go on after that.
-    SearchStatus run(const std::function<bool()>& stop);
+    SearchStatus run(const std::function<bool()>& stop) override;
 
     /// The expanded goal, or kNoNode.
-    [[nodiscard]] NodeId reachedGoal() const noexcept
+    [[nodiscard]] NodeId reachedGoal() const noexcept override
     {
         return reachedGoal_;
     }
 
     /// Nodes from a start to `node` along the parents.
-    [[nodiscard]] std::vector<NodeId> pathTo(NodeId node) const;
+    [[nodiscard]] std::vector<NodeId> pathTo(NodeId node) const override;
 
     /// Cost of the best way found to a node; infinite if it was not reached.
     [[nodiscard]] double costToCome(NodeId node) const noexcept override
@@ -142,8 +134,13 @@ public:
         return expansions_;
     }
 
+    [[nodiscard]] std::uint64_t steps() const noexcept override
+    {
+        return expansions_;
+    }
+
     /// Hash of the coordinates of all expanded nodes in order: equal for equal sequences.
-    [[nodiscard]] std::uint64_t orderHash() const noexcept
+    [[nodiscard]] std::uint64_t orderHash() const noexcept override
     {
         return orderHash_;
     }

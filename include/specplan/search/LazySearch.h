@@ -7,13 +7,15 @@
 #include <optional>
 #include <vector>
 
-#include "specplan/search/AStar.h"
+#include "specplan/search/LatticeSearch.h"
 #include "specplan/search/LazyTree.h"
 #include "specplan/speculation/NearbyPredictor.h"
 #include "specplan/validity/Broker.h"
 
 namespace specplan::search
 {
+using lattice::CheckId;
+
 /// Which unknown check of the best path comes first. States always come before motions.
 enum class Selector
 {
@@ -36,7 +38,7 @@ enum class Selector
 /// no weight: weighted orders of repair were found to need more checks, see docs/algorithm.md.
 ///
 /// Threads: one, the search thread.
-class LazySearch : public validity::CheckSource
+class LazySearch : public LatticeSearch, public validity::CheckSource
 {
 public:
     /// All references must outlive the search. Pass it to Broker::setSource to let it run ahead.
@@ -69,22 +71,22 @@ public:
     /// Searches until a path to a goal is known to be valid, there is none, or `stop` returns true; `stop` is asked
     /// once per decision, and now and then while a path is sought. \throws what a check threw that the search needs.
     /// The search can go on after that.
-    SearchStatus run(const std::function<bool()>& stop);
+    SearchStatus run(const std::function<bool()>& stop) override;
 
     /// The goal that the valid path leads to, or kNoNode.
-    [[nodiscard]] NodeId reachedGoal() const noexcept
+    [[nodiscard]] NodeId reachedGoal() const noexcept override
     {
         return solution_.empty() ? lattice::kNoNode : solution_.back();
     }
 
     /// The valid path from a start to `node`; empty if the node is not on it.
-    [[nodiscard]] std::vector<NodeId> pathTo(NodeId node) const;
+    [[nodiscard]] std::vector<NodeId> pathTo(NodeId node) const override;
 
     /// Cost of the valid path from a start to `node`; infinite if the node is not on it.
-    [[nodiscard]] double costToCome(NodeId node) const noexcept;
+    [[nodiscard]] double costToCome(NodeId node) const noexcept override;
 
     /// Node before `node` on the valid path, or kNoNode.
-    [[nodiscard]] NodeId parent(NodeId node) const noexcept;
+    [[nodiscard]] NodeId parent(NodeId node) const noexcept override;
 
     [[nodiscard]] bool isGoal(NodeId node) const noexcept
     {
@@ -92,13 +94,18 @@ public:
     }
 
     /// Whether the search has demanded the node's state.
-    [[nodiscard]] bool isExpanded(NodeId node) const noexcept
+    [[nodiscard]] bool isExpanded(NodeId node) const noexcept override
     {
         return broker_.isUsed(CheckId::ofState(node));
     }
 
     /// Number of decisions, each of which demanded one check.
     [[nodiscard]] std::uint64_t decisions() const noexcept
+    {
+        return decisions_;
+    }
+
+    [[nodiscard]] std::uint64_t steps() const noexcept override
     {
         return decisions_;
     }
@@ -110,7 +117,7 @@ public:
     }
 
     /// Hash of all decisions in order, by coordinates: equal for equal sequences.
-    [[nodiscard]] std::uint64_t orderHash() const noexcept
+    [[nodiscard]] std::uint64_t orderHash() const noexcept override
     {
         return orderHash_;
     }
