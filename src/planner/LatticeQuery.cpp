@@ -250,10 +250,11 @@ void LatticeQuery::beginEagerSearch()
         eager_->addStart(startNodes_[i], costs_ ? costs_->number(objective_->initialCost(startStates_[i].get())) : 0.0);
 }
 
-/// Lazy search wants costs that are known before anything is checked, and goals that are nodes.
+/// Lazy search wants costs that are known before anything is checked, and goals that are nodes. (States near enough to
+/// a goal state are passed over then.)
 bool LatticeQuery::canBeLazy() const
 {
-    return !costs_ && !region_ && heuristic_.isConsistent();
+    return !costs_ && !goalNodes_.empty() && heuristic_.isConsistent();
 }
 
 void LatticeQuery::beginLazySearch()

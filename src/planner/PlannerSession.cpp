@@ -42,8 +42,8 @@ constexpr double kLeastWeight = 1.05;
 auto asTuple(const PlannerSettings& s)
 {
     return std::tie(s.numThreads, s.speculationPolicy, s.predictor, s.lookahead, s.barrier, s.weight, s.anytime,
-                    s.evaluation, s.resolution, s.spacing, s.connectivity, s.cornerCutting, s.objectiveInChecks, s.executor,
-                    s.virtualCheckCost);
+                    s.evaluation, s.resolution, s.spacing, s.connectivity, s.cornerCutting, s.objectiveInChecks,
+                    s.executor, s.virtualCheckCost);
 }
 
 bool isStates(const ob::Goal& goal)

@@ -79,7 +79,8 @@ TEST(Parameters, RoundTripThroughStrings)
                                                     {"executor", "virtual"},
                                                     {"virtual_check_cost", "0.005"},
                                                     {"rethrow_exceptions", "1"},
-                                                    {"anytime", "0"}, {"evaluation", "lazy"},
+                                                    {"anytime", "0"},
+                                                    {"evaluation", "lazy"},
                                                     {"objective_in_checks", "0"}};
     ASSERT_TRUE(one.params().setParams(values));
     std::map<std::string, std::string> read;

@@ -16,7 +16,7 @@ struct SearchReport
     std::string error;  ///< what the failing check said, if status is "crash"
 
     double cost = 0.0;             ///< of the solution; NaN without one
-    double weight = 1.0;                    ///< of the heuristic in the last search
+    double weight = 1.0;           ///< of the heuristic in the last search
     double bound = 0.0;            ///< the cost is at most this many times the optimum of the lattice; NaN without one
     unsigned refinements = 0;      ///< how often the lattice's spacing was halved
     std::uint64_t expansions = 0;  ///< the goal's own included
