@@ -237,7 +237,9 @@ unsigned chooseConnectivity(unsigned wanted, unsigned axes, bool beside, bool ro
         return wanted;
     if (rotation)
         return beside ? 1 : 3;
-    return axes <= 3 ? axes : 2;
+    if (axes <= 3)
+        return axes;
+    return axes <= 8 ? 2 : 1;
 }
 
 std::unique_ptr<Component> makeComponent(Draft& draft, const PlannerSettings& settings, const ob::State* origin,
