@@ -99,11 +99,11 @@ std::vector<Embedding::Coordinates> Embedding::corners(const ob::State* state, J
     return corners;
 }
 
-Embedding::Target Embedding::target(const ob::State* state) const
+Embedding::Target Embedding::target(const ob::State* state, bool exactly) const
 {
     Target target;
     for (std::size_t i = 0; i < components_.all.size(); ++i)
-        target.push_back(components_.all[i]->target(decomposition_.parts[i].of(state)));
+        target.push_back(components_.all[i]->target(decomposition_.parts[i].of(state), exactly));
     return target;
 }
 

@@ -43,13 +43,7 @@ void GoalHeuristic::setGoal(const ob::Goal* goal, bool region, const ob::State* 
 void GoalHeuristic::addState(const ob::State* state)
 {
     states_.emplace_back(si_, state);
-    targets_.push_back(embedding_.target(state));
-}
-
-void GoalHeuristic::latticeChanged()
-{
-    for (std::size_t i = 0; i < states_.size(); ++i)
-        targets_[i] = embedding_.target(states_[i].get());
+    targets_.push_back(embedding_.target(state, !region_));
 }
 
 bool GoalHeuristic::isConsistent() const

@@ -57,7 +57,8 @@ public:
     /// Nodes that a motion may join the state to, the nearest one first; none if the state lies too far out.
     [[nodiscard]] std::vector<Coordinates> corners(const ompl::base::State* state, Joint joint) const;
 
-    [[nodiscard]] Target target(const ompl::base::State* state) const;
+    /// \param exactly whether the goal is this very state; otherwise states nearby may do as well.
+    [[nodiscard]] Target target(const ompl::base::State* state, bool exactly) const;
 
     /// A length that every way on the lattice to the target has at least; consistent where `sumsDistances`.
     [[nodiscard]] double lowerBound(const lattice::Coordinate* node, const Target& target) const;

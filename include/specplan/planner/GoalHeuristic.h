@@ -37,9 +37,6 @@ public:
     /// Adds a state that satisfies the goal.
     void addState(const ompl::base::State* state);
 
-    /// Finds out anew where the states added lie on the lattice, which has become finer.
-    void latticeChanged();
-
     [[nodiscard]] double estimate(lattice::NodeId node) const override;
 
     /// Whether the estimates are known to be consistent. Otherwise nodes have to be opened again.

@@ -214,9 +214,9 @@ double AxesComponent::alongGrid(std::span<const double> distance) const
     return lattice::gridDistance(distance, units_, options_.connectivity);
 }
 
-Component::Target AxesComponent::target(const ob::State* state) const
+Component::Target AxesComponent::target(const ob::State* state, bool) const
 {
-    Target target{position(state), 0.0};
+    Target target{position(state), nullptr, 0.0};
     std::vector<double> approach(axes_.size());
     for (const Coordinates& corner : corners(state, Joint::Entering))
     {

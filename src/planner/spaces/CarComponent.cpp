@@ -7,9 +7,12 @@
 #include <numbers>
 #include <tuple>
 
+#include <ompl/base/spaces/DubinsStateSpace.h>
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 
 #include "specplan/planner/spaces/CarPrimitives.h"
+#include "specplan/planner/spaces/CarTable.h"
 
 namespace specplan::planner
 {
@@ -21,6 +24,8 @@ namespace
 constexpr double kHeadingStep = 2.0 * std::numbers::pi / CarComponent::kHeadings;
 /// A state off the lattice is joined to this many nodes.
 constexpr std::size_t kMaxCorners = 64;
+/// Estimates are finite, also where no way leads to the goal.
+constexpr double kFar = 1e12;
 /// Curves longer than this many times the straight distance make a loop.
 constexpr double kLoop = 1.15;
 
@@ -53,7 +58,13 @@ CarComponent::CarComponent(ob::StateSpacePtr space, std::string name, double spa
               {-s, c},
               {bounds.low[0], bounds.low[1]},
               {bounds.high[0], bounds.high[1]}};
-    turn_ = turningRadius(*space_) * kHeadingStep;
+    const double radius = turningRadius(*space_);
+    turn_ = radius * kHeadingStep;
+    // A symmetric Dubins space drives each curve forward or backward as a whole, and two curves may beat the one.
+    if (dynamic_cast<const ob::DubinsStateSpace*>(space_.get()) != nullptr && space_->hasSymmetricDistance())
+        shortest_ = std::make_shared<ob::ReedsSheppStateSpace>(radius);
+    else
+        shortest_ = space_;
     primitives_ = makePrimitives();
 }
 
@@ -157,17 +168,29 @@ std::vector<Component::Coordinates> CarComponent::corners(const ob::State* state
     return corners;
 }
 
-Component::Target CarComponent::target(const ob::State* state) const
+Component::Target CarComponent::target(const ob::State* state, bool exactly) const
 {
     const auto* pose = state->as<ob::SE2StateSpace::StateType>();
-    return {{pose->getX(), pose->getY(), pose->getYaw()}, 0.0};
+    Target target{{pose->getX(), pose->getY(), pose->getYaw()}, nullptr, 0.0};
+    if (!exactly)
+        return target;
+    std::vector<std::pair<Coordinates, double>> entrances;
+    for (const Coordinates& corner : corners(state, Joint::Entering))
+    {
+        write(corner.data(), here_.get());
+        entrances.emplace_back(corner, options_.weight * space_->distance(here_.get(), state));
+    }
+    target.table = std::make_shared<CarTable>(frame_, primitives_, entrances);
+    return target;
 }
 
 double CarComponent::lowerBound(const Coordinate* node, const Target& target) const
 {
+    if (target.table)
+        return std::min(target.table->lengthFrom(node), kFar);
     write(node, here_.get());
     setPose(there_.get(), target.values[0], target.values[1], target.values[2]);
-    return options_.weight * space_->distance(here_.get(), there_.get());
+    return options_.weight * shortest_->distance(here_.get(), there_.get());
 }
 
 double CarComponent::nodes() const

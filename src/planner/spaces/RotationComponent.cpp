@@ -125,10 +125,10 @@ std::vector<Component::Coordinates> RotationComponent::corners(const ob::State* 
     return corners;
 }
 
-Component::Target RotationComponent::target(const ob::State* state) const
+Component::Target RotationComponent::target(const ob::State* state, bool) const
 {
     const Quaternion rotation = relative(state);
-    return {{rotation.begin(), rotation.end()}, 0.0};
+    return {{rotation.begin(), rotation.end()}, nullptr, 0.0};
 }
 
 double RotationComponent::lowerBound(const Coordinate* node, const Target& target) const

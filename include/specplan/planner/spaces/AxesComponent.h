@@ -52,7 +52,7 @@ public:
     [[nodiscard]] double coarseness() const override;
     void write(const lattice::Coordinate* node, ompl::base::State* state) const override;
     [[nodiscard]] std::vector<Coordinates> corners(const ompl::base::State* state, Joint joint) const override;
-    [[nodiscard]] Target target(const ompl::base::State* state) const override;
+    [[nodiscard]] Target target(const ompl::base::State* state, bool exactly) const override;
     [[nodiscard]] double lowerBound(const lattice::Coordinate* node, const Target& target) const override;
     [[nodiscard]] double nodes() const override;
     void describe(std::ostream& out) const override;

@@ -49,7 +49,7 @@ public:
     [[nodiscard]] double coarseness() const override;
     void write(const lattice::Coordinate* node, ompl::base::State* state) const override;
     [[nodiscard]] std::vector<Coordinates> corners(const ompl::base::State* state, Joint joint) const override;
-    [[nodiscard]] Target target(const ompl::base::State* state) const override;
+    [[nodiscard]] Target target(const ompl::base::State* state, bool exactly) const override;
     [[nodiscard]] double lowerBound(const lattice::Coordinate* node, const Target& target) const override;
     [[nodiscard]] double nodes() const override;
     void describe(std::ostream& out) const override;
@@ -61,6 +61,7 @@ private:
     [[nodiscard]] lattice::Coordinate reach() const;
 
     ompl::base::StateSpacePtr space_;
+    ompl::base::StateSpacePtr shortest_;  ///< whose curves are no longer than any way along those of the space
     std::string name_;
     LatticeOptions options_;
     lattice::PrimitiveFactor::Frame frame_;

@@ -11,6 +11,8 @@
 
 namespace specplan::planner
 {
+class CarTable;
+
 /// What all components are told of the lattice.
 struct LatticeOptions
 {
@@ -35,6 +37,7 @@ public:
     struct Target
     {
         std::vector<double> values;
+        std::shared_ptr<CarTable> table;  ///< of a car, if the goal is this very state
         double saving = 0.0;  ///< by how much a motion into the goal may be shorter than the lattice's own way
     };
 
@@ -72,7 +75,8 @@ public:
     /// Nodes that a motion may join the state to, the nearest one first; none if the state lies too far out.
     [[nodiscard]] virtual std::vector<Coordinates> corners(const ompl::base::State* state, Joint joint) const = 0;
 
-    [[nodiscard]] virtual Target target(const ompl::base::State* state) const = 0;
+    /// \param exactly whether the goal is this very state; otherwise states nearby may do as well.
+    [[nodiscard]] virtual Target target(const ompl::base::State* state, bool exactly) const = 0;
 
     /// A cost that every way on the lattice from the node to the target has at least; consistent.
     [[nodiscard]] virtual double lowerBound(const lattice::Coordinate* node, const Target& target) const = 0;
