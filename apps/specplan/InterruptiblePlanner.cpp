@@ -16,7 +16,7 @@ namespace ob = ompl::base;
 namespace
 {
 /// Benchmark reads these properties from another thread while the planner runs. Before OMPL 1.6 two of BIT*'s walk over
-/// its graph as it changes, which now and then ends the program (OMPL issue 779).
+/// its graph as it changes, which now and then ends the program (ompl/ompl#779).
 bool isSafeToPoll(const std::string& property)
 {
 #if OMPL_VERSION_VALUE < 1006000
