@@ -74,7 +74,7 @@ double rotationDistance(const Quaternion& a, const Quaternion& b) noexcept
     return dot > 1.0 - 1e-9 ? 0.0 : std::acos(dot);
 }
 
-RotationFactor::RotationFactor(RotationGrid grid, Coordinate stride, unsigned connectivity, double weight,
+RotationFactor::RotationFactor(const RotationGrid& grid, Coordinate stride, unsigned connectivity, double weight,
                                double longest)
     : grid_(grid), stride_(stride), weight_(weight), longest_(longest), offsets_(gridOffsets(4, connectivity))
 {

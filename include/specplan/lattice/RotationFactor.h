@@ -55,7 +55,7 @@ class RotationFactor : public Factor
 public:
     /// \param stride units of a step; divides the size of the grid. \param connectivity 1 to 3. \param weight cost of a
     /// step by its rotationDistance. \param longest distance of a motion whose inside need not be checked.
-    RotationFactor(RotationGrid grid, Coordinate stride, unsigned connectivity, double weight, double longest);
+    RotationFactor(const RotationGrid& grid, Coordinate stride, unsigned connectivity, double weight, double longest);
 
     [[nodiscard]] std::size_t dimension() const noexcept override
     {

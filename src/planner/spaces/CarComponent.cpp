@@ -161,6 +161,7 @@ std::vector<Component::Coordinates> CarComponent::corners(const ob::State* state
     if (found.size() > kMaxCorners)
         found.resize(kMaxCorners);
     std::vector<Coordinates> corners;
+    corners.reserve(found.size());
     for (auto& [length, node] : found)
         corners.push_back(std::move(node));
     if (!found.empty() && found.front().first <= step * 1e-9)

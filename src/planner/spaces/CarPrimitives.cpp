@@ -47,8 +47,10 @@ public:
 
     double& at(Coordinate from, Coordinate dx, Coordinate dy, Coordinate to)
     {
-        const Coordinate width = 2 * reach_ + 1;
-        return length_[static_cast<std::size_t>(((from * width + dx + reach_) * width + dy + reach_) * headings_ + to)];
+        const auto width = 2 * static_cast<std::size_t>(reach_) + 1;
+        const auto cell = static_cast<std::size_t>(dx + reach_) * width + static_cast<std::size_t>(dy + reach_);
+        const std::size_t entry = static_cast<std::size_t>(from) * width * width + cell;
+        return length_[entry * static_cast<std::size_t>(headings_) + static_cast<std::size_t>(to)];
     }
 
 private:

@@ -120,8 +120,7 @@ std::vector<Component::Coordinates> RotationComponent::corners(const ob::State* 
     std::ranges::stable_sort(corners, {},
                              [&](const Coordinates& corner)
                              { return lattice::rotationDistance(grid_.rotation(corner.data()), rotation); });
-    const auto twice = std::ranges::unique(corners);
-    corners.erase(twice.begin(), twice.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     return corners;
 }
 
