@@ -9,7 +9,10 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
+#include <map>
 
+#include <ompl/base/ScopedState.h>
+#include <ompl/geometric/PathGeometric.h>
 #include <ompl/tools/benchmark/Benchmark.h>
 #include <ompl/util/Console.h>
 
@@ -83,6 +86,41 @@ void addReport(RunProperties& run, const SearchReport& report)
     run["search time REAL"] = concat(report.searchTime);
     run["speedup REAL"] = concat(report.speedup);
     run["threads INTEGER"] = std::to_string(report.threads);
+}
+
+/// How the cost fell in each run, by the name that Benchmark gives the planner.
+using CostsOfRuns = std::map<std::string, std::vector<std::vector<Convergence::Point>>>;
+
+/// Columns about the way to the last cost; only in runs that found a path.
+void addConvergence(RunProperties& run, const std::vector<Convergence::Point>& points)
+{
+    if (points.empty())
+        return;
+    run["first path time REAL"] = concat(points.front().time);
+    run["first path cost REAL"] = concat(points.front().cost);
+    run["last cost REAL"] = concat(points.back().cost);
+}
+
+/// Whether the path found is still valid when it is looked at ten times as often as the planner had to: "1" or "0".
+std::string holdsAtFinerResolution(const ob::ProblemDefinition& problem)
+{
+    constexpr unsigned kFiner = 10;
+    const ob::SpaceInformation& si = *problem.getSpaceInformation();
+    auto* path = problem.getSolutionPath()->as<ompl::geometric::PathGeometric>();
+    ob::ScopedState<> between(problem.getSpaceInformation()->getStateSpace());
+    for (unsigned i = 1; i < path->getStateCount(); ++i)
+    {
+        const ob::State* from = path->getState(i - 1);
+        const ob::State* to = path->getState(i);
+        const unsigned count = kFiner * std::max(si.getStateSpace()->validSegmentCount(from, to), 1U);
+        for (unsigned k = 0; k <= count; ++k)
+        {
+            si.getStateSpace()->interpolate(from, to, static_cast<double>(k) / count, between.get());
+            if (!si.isValid(between.get()))
+                return "0";
+        }
+    }
+    return "1";
 }
 
 /// What the kind of problem settles; to go on while there is time is the planner's own choice here, as with others.
@@ -219,7 +257,8 @@ void addJson(nlohmann::ordered_json& json, const std::string& property, const st
         json[name] = number;
 }
 
-nlohmann::ordered_json toJson(const ompl::tools::Benchmark::CompleteExperiment& experiment, bool whole)
+nlohmann::ordered_json toJson(const ompl::tools::Benchmark::CompleteExperiment& experiment, const CostsOfRuns& costs,
+                              bool whole)
 {
     nlohmann::ordered_json json{{"experiment", experiment.name},
                                 {"time_limit_s", experiment.maxTime},
@@ -229,12 +268,15 @@ nlohmann::ordered_json toJson(const ompl::tools::Benchmark::CompleteExperiment& 
                                 {"complete", whole}};
     nlohmann::ordered_json& rows = json["results"] = nlohmann::ordered_json::array();
     for (const auto& planner : experiment.planners)
-        for (const RunProperties& run : planner.runs)
+        for (std::size_t i = 0; i < planner.runs.size(); ++i)
         {
             nlohmann::ordered_json& row = rows.emplace_back();
             row["planner"] = planner.name;
-            for (const auto& [property, value] : run)
+            for (const auto& [property, value] : planner.runs[i])
                 addJson(row, property, value);
+            nlohmann::ordered_json& falling = row["costs"] = nlohmann::ordered_json::array();
+            for (const Convergence::Point& point : costs.at(planner.name)[i])
+                falling.push_back({point.time, point.cost});
         }
     return json;
 }
@@ -255,7 +297,9 @@ ompl::tools::Benchmark::Request makeRequest(const BenchmarkOptions& options, con
 
 int benchmark(const BenchmarkOptions& options, std::ostream& out)
 {
-    const std::unique_ptr<Problem> problem = readProblem(options.file, {});
+    ProblemOptions source;
+    source.validityResolution = options.validityResolution;
+    const std::unique_ptr<Problem> problem = readProblem(options.file, source);
     const BenchmarkWishes wishes = problem->benchmarkWishes();
     const std::vector<problems::PlannerRequest> requests =
         options.planners.empty() ? wishes.planners : parsePlanners(options.planners);
@@ -272,16 +316,21 @@ int benchmark(const BenchmarkOptions& options, std::ostream& out)
     addPlanners(benchmark, *problem, requests, si, checker);
 
     const auto request = makeRequest(options, wishes);
+    CostsOfRuns costs;
     {
         RunProgress progress(requests.size(), request.runCount);
         benchmark.setPreRunEvent([&progress](const ob::PlannerPtr& planner) { progress.begin(planner->getName()); });
         benchmark.setPostRunEvent(
-            [](const ob::PlannerPtr& planner, RunProperties& run)
+            [&costs](const ob::PlannerPtr& planner, RunProperties& run)
             {
                 if (interrupted())
                     throw Interrupt();  // this run is not a whole one
                 const auto& wrapped = dynamic_cast<const InterruptiblePlanner&>(*planner);
                 run["state checks INTEGER"] = std::to_string(wrapped.checks());
+                addConvergence(run, wrapped.convergence().points());
+                costs["geometric_" + planner->getName()].push_back(wrapped.convergence().points());
+                if (planner->getProblemDefinition()->hasExactSolution())
+                    run["valid at finer resolution BOOLEAN"] = holdsAtFinerResolution(*planner->getProblemDefinition());
                 if (const auto* ours = dynamic_cast<const SpeculativeAStar*>(&wrapped.inner()))
                     addReport(run, ours->getReport());
             });
@@ -292,7 +341,7 @@ int benchmark(const BenchmarkOptions& options, std::ostream& out)
     if (!options.logFile.empty() && !experiment.planners.empty())
         problems::writeFile(options.logFile, [&](std::ostream& file) { benchmark.saveResultsToStream(file); });
     if (options.json)
-        out << toJson(experiment, !interrupted()).dump(2) << '\n';
+        out << toJson(experiment, costs, !interrupted()).dump(2) << '\n';
     else
         printTable(out, experiment);
     const bool solved = std::ranges::all_of(

@@ -34,6 +34,14 @@ struct RawOptions
     std::string timeLimit;
 };
 
+void addValidityResolution(CLI::App& app, std::optional<double>& resolution)
+{
+    app.add_option(
+           "--validity-resolution", resolution,
+           "Motions of a .cfg problem are checked this often: share of the space's extent [the file's, or 0.01]")
+        ->check(CLI::Range(1e-6, 1.0));
+}
+
 void addProblemOptions(CLI::App& app, ProblemOptions& options, RawOptions& raw)
 {
     app.add_option("PROBLEM", options.files, "Moving AI .map, map in the seed's text format, or OMPL.app .cfg")
@@ -56,6 +64,7 @@ void addProblemOptions(CLI::App& app, ProblemOptions& options, RawOptions& raw)
         ->default_str("length");
     app.add_flag("--corner-cutting", options.cornerCutting,
                  "Allow diagonal moves past a blocked corner (always so in the seed's format)");
+    addValidityResolution(app, options.validityResolution);
 }
 
 void addSearchOptions(CLI::App& app, CommonOptions& options, RawOptions& raw)
@@ -86,6 +95,7 @@ void addSearchOptions(CLI::App& app, CommonOptions& options, RawOptions& raw)
 void addBenchmarkOptions(CLI::App& app, BenchmarkOptions& options, RawOptions& raw)
 {
     app.add_option("PROBLEM", options.file, "OMPL.app .cfg, or a map with a scenario beside it")->required();
+    addValidityResolution(app, options.validityResolution);
     app.add_option("--planners", options.planners,
                    "Planners, separated by commas: OMPL's geometric ones, and SpeculativeAStar in any number of "
                    "configurations such as 'SpeculativeAStar:num_threads=1;weight=2' [those of the file]")

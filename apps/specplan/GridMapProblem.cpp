@@ -127,6 +127,8 @@ void GridMapProblem::describe(nlohmann::ordered_json& trace, const Run& run) con
 
 std::unique_ptr<Problem> readGridMapProblem(const std::string& file, const ProblemOptions& options)
 {
+    if (options.validityResolution)
+        throw InputError(concat("--validity-resolution: expected a .cfg problem with this, found ", file));
     if (!problems::looksLikeSeedMap(file))
     {
         NamedGrid grid = readMovingAi(file, options);

@@ -2,6 +2,7 @@
 #include "InterruptiblePlanner.h"
 
 #include <exception>
+#include <thread>
 #include <utility>
 
 #include <ompl/config.h>
@@ -30,7 +31,8 @@ bool isSafeToPoll(const std::string& property)
 InterruptiblePlanner::InterruptiblePlanner(ob::PlannerPtr planner, std::shared_ptr<const CountingChecker> checker)
     : ob::Planner(planner->getSpaceInformation(), planner->getName()),
       planner_(std::move(planner)),
-      checker_(std::move(checker))
+      checker_(std::move(checker)),
+      convergence_(*planner_)
 {
     specs_ = planner_->getSpecs();
     params_.include(planner_->params());
@@ -43,15 +45,24 @@ ob::PlannerStatus InterruptiblePlanner::solve(const ob::PlannerTerminationCondit
 {
     const std::uint64_t before = checker_->calls();
     ob::PlannerStatus status = ob::PlannerStatus::CRASH;
+    const std::thread::id here = std::this_thread::get_id();
+    convergence_.begin();
     try
     {
-        status = planner_->solve(ob::PlannerTerminationCondition([&ptc] { return ptc() || interrupted(); }));
+        status = planner_->solve(ob::PlannerTerminationCondition(
+            [&]
+            {
+                if (std::this_thread::get_id() == here)  // some planners ask in several
+                    convergence_.look();
+                return ptc() || interrupted();
+            }));
     }
     catch (const std::exception& error)
     {
         throw ompl::Exception(error.what());
     }
     checks_ = checker_->calls() - before;
+    convergence_.end(*pdef_);
     return status;
 }
 

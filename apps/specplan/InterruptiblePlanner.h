@@ -6,12 +6,14 @@
 
 #include <ompl/base/Planner.h>
 
+#include "Convergence.h"
 #include "CountingChecker.h"
 
 namespace specplan::command
 {
 /// Another planner under its own name and parameters, for OMPL's Benchmark: it stops when the user interrupts the
-/// program, the state checks of each run are counted, and what it throws is something that Benchmark catches.
+/// program, state checks and falling costs of each run are recorded, and what it throws is something that Benchmark
+/// catches.
 ///
 /// Threads: as the other planner.
 class InterruptiblePlanner : public ompl::base::Planner
@@ -37,6 +39,12 @@ public:
         return *planner_;
     }
 
+    /// How the cost fell during the last solve().
+    [[nodiscard]] const Convergence& convergence() const noexcept
+    {
+        return convergence_;
+    }
+
     /// State checks of the last solve().
     [[nodiscard]] std::uint64_t checks() const noexcept
     {
@@ -47,5 +55,6 @@ private:
     ompl::base::PlannerPtr planner_;
     std::shared_ptr<const CountingChecker> checker_;
     std::uint64_t checks_ = 0;
+    Convergence convergence_;
 };
 }  // namespace specplan::command

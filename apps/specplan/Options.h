@@ -21,6 +21,7 @@ struct ProblemOptions
     std::string index = "last";  ///< entry of the scenario, from 0, or "last"
     problems::GridCost cost = problems::GridCost::Length;
     bool cornerCutting = false;
+    std::optional<double> validityResolution;  ///< of the file if empty; a share of the space's extent
 };
 
 /// Options that both subcommands have.
@@ -45,7 +46,8 @@ struct PlanOptions : CommonOptions
 struct BenchmarkOptions
 {
     std::string file;
-    std::string planners;  ///< empty: those of the file
+    std::optional<double> validityResolution;  ///< of the file if empty
+    std::string planners;                      ///< empty: those of the file
     std::optional<unsigned> runs;
     std::optional<std::chrono::nanoseconds> timeLimit;
     std::optional<double> memoryLimit;  ///< MB

@@ -89,7 +89,10 @@ void refuseMapOptions(const std::string& file, const ProblemOptions& options)
 std::unique_ptr<Problem> readRigidBodyProblem(const std::string& file, const ProblemOptions& options)
 {
     refuseMapOptions(file, options);
-    RigidBodySetup setup(problems::readOmplAppProblem(file));
+    problems::OmplAppProblem problem = problems::readOmplAppProblem(file);
+    if (options.validityResolution)
+        problem.longestValidSegmentFraction = options.validityResolution;
+    RigidBodySetup setup(std::move(problem));
     for (const std::string& warning : setup.warnings())
         std::cerr << "specplan: warning: " << warning << '\n';
     return std::make_unique<RigidBodyProblem>(std::move(setup));
