@@ -189,7 +189,7 @@ void SpeculativeAStar::visitStates(const std::function<void(const ob::State*, St
                 query.broker().isUsed(validity::CheckId::ofState(node)) ? StateFate::Invalid : StateFate::CheckedUnused;
         else if (query.search().isExpanded(node))
             fate = StateFate::Expanded;
-        else if (std::isfinite(query.search().costToCome(node)))
+        else if (query.search().isReached(node))
             fate = StateFate::Open;
         else if (validity::isKnown(verdict))
             fate = StateFate::CheckedUnused;

@@ -23,31 +23,30 @@ AStar::AStar(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, val
 
 void AStar::addStart(NodeId start, double cost)
 {
-    Node& node = touch(start);
-    if (!(cost < node.g))
-        return;
-    node.g = cost;
-    node.parent = lattice::kNoNode;
-    open(start);
+    if (cost < touch(start).g)
+        settle(start, cost, pushes_++, lattice::kNoNode);
 }
 
 void AStar::addGoal(NodeId goal)
 {
     Node& node = touch(goal);
     node.goal = true;
-    if (node.closed)
-        open(goal);  // the search has been here, not knowing where it was
+    if (!node.closed)
+        return;
+    node.closed = false;  // the search has been here, not knowing where it was
+    node.age = pushes_++;
+    place(goal);
 }
 
 void AStar::heuristicChanged()
 {
     for (Node& node : nodes_)
         node.h = kNotAsked;
-    std::vector<util::OpenList::Entry> entries(open_.entries().begin(), open_.entries().end());
-    for (util::OpenList::Entry& entry : entries)
+    const std::vector<util::OpenList::Entry> entries(open_.entries().begin(), open_.entries().end());
+    for (const util::OpenList::Entry& entry : entries)
     {
-        entry.key.f = sum_(entry.key.g, weight_ * touch(entry.item).h);
-        open_.push(entry.item, entry.key);
+        touch(entry.item);
+        place(entry.item);
     }
     if (policy_ != nullptr)
         policy_->missed();
@@ -62,7 +61,13 @@ SearchStatus AStar::run(const std::function<bool()>& stop)
         if (stop())
             return SearchStatus::Stopped;
         const NodeId node = open_.top().item;  // 2: best node of OPEN
-        if (isGoalNow(node))                   // 3: a goal is expanded: done
+        if (nodes_[node].ways != kNoWay)       // 3: the motion to it; if that collides, the next best way there
+        {
+            if (!confirmWay(node))
+                return SearchStatus::Stopped;
+            continue;
+        }
+        if (isGoalNow(node))  // 4: a goal is expanded: done
         {
             noteExpansion(node);
             open_.pop();
@@ -80,14 +85,13 @@ bool AStar::expand(NodeId node)
     if (policy_ != nullptr)
         policy_->expanding(node, nodes_[node].parent);
     lattice_.successors(node, successors_);
-    dropUseless(nodes_[node]);  // 4: closed, or no better than a way already found
-    if (!dropInvalid())         // 5: states and motions that collide
+    dropUseless(nodes_[node]);  // 5: closed, or no better than a way already found
+    if (!dropInvalid())         // 6: states that collide
         return false;           // interrupted: the node stays on OPEN as it was
-    learnCosts();
     open_.pop();
     nodes_[node].closed = true;
     noteExpansion(node);
-    for (const Edge& edge : successors_.edges)  // 6
+    for (const Edge& edge : successors_.edges)  // 7
         relax(node, edge);
     return true;
 }
@@ -125,43 +129,126 @@ bool AStar::dropInvalid()
 
     checks_.clear();
     for (const Edge& edge : successors_.edges)
-        std::ranges::copy(successors_.innerOf(edge), std::back_inserter(checks_));
+        std::ranges::copy(successors_.guardsOf(edge), std::back_inserter(checks_));
     if (!broker_.demand(checks_))
         return false;
     std::erase_if(successors_.edges,
                   [this](const Edge& edge)
                   {
-                      return std::ranges::any_of(successors_.innerOf(edge), [this](CheckId check)
+                      return std::ranges::any_of(successors_.guardsOf(edge), [this](CheckId check)
                                                  { return broker_.verdict(check) == Verdict::Invalid; });
                   });
     return true;
 }
 
-/// Checks that tell what motions cost have done so by now.
-void AStar::learnCosts()
-{
-    if (lattice_.motionCosts() == nullptr)
-        return;
-    for (Edge& edge : successors_.edges)
-        edge.cost = lattice_.motionCosts()->known(successors_.innerOf(edge).back().motion());
-}
-
 void AStar::relax(NodeId from, const Edge& edge)
 {
-    Node& end = nodes_[edge.node];
     const double g = sum_(nodes_[from].g, edge.cost);
-    if (!improves(g, end))
-        return;  // a second motion of this expansion to the same node, or one dearer than its lower bound
-    end.g = g;
-    end.parent = from;
-    open(edge.node);
+    if (!improves(g, nodes_[edge.node]))
+        return;  // a second motion of this expansion to the same node
+    if (const std::optional<CheckId> motion = successors_.motionOf(edge))
+        addWay(edge.node, {g, nodes_[from].g, pushes_++, from, *motion, kNoWay});
+    else
+        settle(edge.node, g, pushes_++, from);
 }
 
-void AStar::open(NodeId id)
+/// Asks for the motion that the best way to a node ends with, and draws the consequences.
+/// \return false if interrupted.
+bool AStar::confirmWay(NodeId node)
+{
+    const TentativeWay way = ways_[nodes_[node].ways];
+    checks_.assign(1, way.motion);
+    if (!broker_.demand(checks_))
+        return false;
+    dropWay(nodes_[node].ways);
+    if (broker_.verdict(way.motion) == Verdict::Invalid)
+        place(node);
+    else if (lattice_.motionCosts() == nullptr)
+        settle(node, way.g, way.age, way.parent);
+    // The check has told what the motion costs; so far there was a lower bound.
+    else if (const double g = sum_(way.parentG, lattice_.motionCosts()->known(way.motion.motion()));
+             improves(g, nodes_[node]))
+        settle(node, g, way.age, way.parent);
+    else
+        place(node);
+    return true;
+}
+
+/// The best way known to be valid: others that come after it are of no more use.
+void AStar::settle(NodeId id, double g, std::uint64_t age, NodeId parent)
 {
     Node& node = nodes_[id];
+    node.g = g;
+    node.age = age;
+    node.parent = parent;
     node.closed = false;
-    open_.push(id, {sum_(node.g, weight_ * node.h), node.g, pushes_++});
+    std::uint32_t* link = &node.ways;
+    while (*link != kNoWay && ways_[*link].g <= g && (ways_[*link].g < g || ways_[*link].age < age))
+        link = &ways_[*link].next;
+    while (*link != kNoWay)
+        dropWay(*link);
+    place(id);
+}
+
+void AStar::addWay(NodeId id, const TentativeWay& way)
+{
+    std::uint32_t slot = unusedWays_;
+    if (slot == kNoWay)
+    {
+        slot = static_cast<std::uint32_t>(ways_.size());
+        ways_.push_back(way);
+    }
+    else
+    {
+        unusedWays_ = ways_[slot].next;
+        ways_[slot] = way;
+    }
+    std::uint32_t* link = &nodes_[id].ways;
+    while (*link != kNoWay && ways_[*link].g <= way.g)
+        link = &ways_[*link].next;
+    ways_[slot].next = *link;
+    *link = slot;
+    if (nodes_[id].ways == slot)
+        place(id);
+}
+
+/// Takes a way out of its list.
+void AStar::dropWay(std::uint32_t& link)
+{
+    const std::uint32_t way = link;
+    link = ways_[way].next;
+    ways_[way].next = unusedWays_;
+    unusedWays_ = way;
+}
+
+/// Place on OPEN before every place that the node may turn out to have. A dearer way has a greater g, hence no smaller
+/// f; but where rounding makes f the same, it comes first.
+util::OpenKey AStar::earliestKey(const TentativeWay& way, double h) const
+{
+    const double f = sum_(way.g, weight_ * h);
+    return {f, sum_.adds() ? way.g + std::abs(f) * 0x1p-50 : kUnreached, way.age};
+}
+
+/// Puts a node on OPEN where its best way belongs, or takes it off.
+void AStar::place(NodeId id)
+{
+    const Node& node = nodes_[id];
+    if (node.ways != kNoWay)
+        open_.push(id, earliestKey(ways_[node.ways], node.h));
+    else if (!node.closed && node.g != kUnreached)
+        open_.push(id, {sum_(node.g, weight_ * node.h), node.g, node.age});
+    else if (open_.contains(id))
+        open_.erase(id);
+}
+
+speculation::FrontierView::Way AStar::bestWay(NodeId node) const noexcept
+{
+    if (node >= nodes_.size())
+        return {kUnreached, lattice::kNoNode, std::nullopt};
+    if (nodes_[node].ways == kNoWay)
+        return {nodes_[node].g, nodes_[node].parent, std::nullopt};
+    const TentativeWay& way = ways_[nodes_[node].ways];
+    return {way.g, way.parent, way.motion};
 }
 
 void AStar::noteExpansion(NodeId node)

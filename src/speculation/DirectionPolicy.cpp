@@ -36,26 +36,37 @@ void DirectionPolicy::propose(std::size_t count, std::vector<CheckId>& out)
         from = at;
         at = *next;
         proposeAround(at, full, out);
+        if (broker_.verdict(CheckId::ofState(at)) == Verdict::Valid)
+            proposeMotion(from, at, full, out);
     }
+}
+
+void DirectionPolicy::add(CheckId check, std::size_t full, std::vector<CheckId>& out) const
+{
+    if (out.size() < full && broker_.verdict(check) == Verdict::Unknown && std::ranges::find(out, check) == out.end())
+        out.push_back(check);
 }
 
 void DirectionPolicy::proposeAround(NodeId node, std::size_t full, std::vector<CheckId>& out)
 {
-    const auto add = [&](CheckId check)
-    {
-        if (out.size() < full && broker_.verdict(check) == Verdict::Unknown &&
-            std::ranges::find(out, check) == out.end())
-            out.push_back(check);
-    };
     lattice_.successors(node, around_);
     for (const lattice::Successors::Edge& edge : around_.edges)
     {
         const CheckId end = CheckId::ofState(edge.node);
-        add(end);
-        // The inside of a motion is of use only once both its ends are known to be valid.
+        add(end, full, out);
+        // What lies beside a motion is of use only once both its ends are known to be valid.
         if (broker_.verdict(end) == Verdict::Valid && broker_.verdict(CheckId::ofState(node)) == Verdict::Valid)
-            for (const CheckId inner : around_.innerOf(edge))
-                add(inner);
+            for (const CheckId guard : around_.guardsOf(edge))
+                add(guard, full, out);
     }
+}
+
+/// The inside of a motion is asked for when its end comes to be expanded.
+void DirectionPolicy::proposeMotion(NodeId from, NodeId to, std::size_t full, std::vector<CheckId>& out)
+{
+    lattice_.successors(from, around_);
+    for (const lattice::Successors::Edge& edge : around_.edges)
+        if (const std::optional<CheckId> motion = around_.motionOf(edge); edge.node == to && motion)
+            add(*motion, full, out);
 }
 }  // namespace specplan::speculation

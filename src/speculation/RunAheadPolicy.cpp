@@ -63,7 +63,7 @@ void RunAheadPolicy::propose(std::size_t count, std::vector<CheckId>& out)
         const Pending next = pending_.top();
         pending_.pop();
         // Dropped if it has lost its point: known or running by now, or the shadow no longer gets there.
-        if (broker_.verdict(next.check) != Verdict::Unknown || !isClosed(next.from) ||
+        if (broker_.verdict(next.check) != Verdict::Unknown || !leadsOn(next) ||
             std::find(out.begin() + first, out.end(), next.check) != out.end())
             continue;
         if (!next.check.isMotion())
@@ -77,8 +77,22 @@ bool RunAheadPolicy::stillWanted(CheckId check) const
     if (!imported_)
         return true;
     if (check.isMotion())
-        return isClosed(lattice_.motion(check.motion()).from);
+        return isOnTheWay(check);
     return check.node() < nodes_.size() && isClosed(nodes_[check.node()].askedFrom);
+}
+
+/// Whether the shadow still gets where it met the check.
+bool RunAheadPolicy::leadsOn(const Pending& pending) const
+{
+    return pending.check.isMotion() ? isOnTheWay(pending.check) : isClosed(pending.from);
+}
+
+/// Whether the shadow takes the motion to get to its end, and beyond or to a goal.
+bool RunAheadPolicy::isOnTheWay(CheckId motion) const
+{
+    const lattice::Lattice::Motion& asked = lattice_.motion(motion.motion());
+    return asked.to < nodes_.size() && nodes_[asked.to].parent == asked.from &&
+           (nodes_[asked.to].status == Status::Closed || frontier_.isGoal(asked.to));
 }
 
 void RunAheadPolicy::synchronise()
@@ -96,9 +110,14 @@ void RunAheadPolicy::importFrontier()
     for (const util::OpenList::Entry& entry : frontier_.open())
     {
         Node& node = touch(entry.item);
-        node.g = frontier_.costToCome(entry.item);
-        node.parent = frontier_.parent(entry.item);
-        node.inner = Inner::None;  // its motion is known to be valid
+        const FrontierView::Way way = frontier_.bestWay(entry.item);
+        node.g = way.cost;
+        node.parent = way.parent;
+        node.motion = way.motion;
+        node.ofMotion = way.motion ? static_cast<float>(predictor_.probabilityMotionValid()) : 1.0F;
+        node.probability = static_cast<double>(node.ofMotion);
+        node.delay = delayFor(node.probability);
+        node.guarded = false;  // no question any more
         node.status = Status::Open;
         open_.push(entry.item, {entry.key.f, entry.key.g, pushes_++});
     }
@@ -116,16 +135,16 @@ void RunAheadPolicy::missed()
 void RunAheadPolicy::follow(NodeId id)
 {
     Node& node = touch(id);
-    const double g = frontier_.costToCome(id);
-    if (node.status == Status::Closed && node.g <= g)
+    const FrontierView::Way way = frontier_.bestWay(id);
+    if (node.status == Status::Closed && node.g <= way.cost)
         return;
     if (node.status == Status::Open)
         open_.erase(id);
-    node.g = g;
+    node.g = way.cost;
     node.probability = 1.0;
     node.delay = 0.0;
     node.closedAs = ++expansions_;
-    node.parent = frontier_.parent(id);
+    node.parent = way.parent;
     node.ofState = 1.0F;
     node.ofMotion = 1.0F;
     node.status = Status::Closed;
@@ -139,10 +158,18 @@ bool RunAheadPolicy::advance()
     const NodeId id = open_.top().item;
     const bool goal = frontier_.isGoal(id);
     if (goal && nodes_[id].probability > kSure)
-        return false;
+    {
+        const std::size_t before = pending_.size();
+        if (nodes_[id].motion && nodes_[id].motion != motionToGoal_)
+            emitMotionTo(id, nodes_[id].parent);
+        motionToGoal_ = nodes_[id].motion;
+        return pending_.size() > before;
+    }
     open_.pop();
     nodes_[id].status = Status::Closed;
     nodes_[id].closedAs = ++expansions_;
+    if (broker_.verdict(CheckId::ofState(id)) == Verdict::Valid)
+        emitMotionTo(id, id);
     if (!goal)
         relaxFrom(id);
     return true;
@@ -176,12 +203,9 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
     noteStep(sum_(g, end.h) - estimateThrough(nodes_[from]));
     end.g = g;
     end.parent = from;
-    end.inner = edge.inner == 0 ? Inner::None : Inner::More;
-    if (edge.inner == 1 && successors_.innerOf(edge).front().isMotion())
-    {
-        end.inner = Inner::One;
-        end.motion = successors_.innerOf(edge).front();
-    }
+    end.motion = successors_.motionOf(edge);
+    end.guarded = !successors_.guardsOf(edge).empty();
+    guarded_ = guarded_ || end.guarded;
     end.ofState = verdict == Verdict::Valid ? 1.0F : static_cast<float>(predictor_.probabilityValid(edge.node));
     end.ofMotion = static_cast<float>(ofMotion);
     end.probability = nodes_[from].probability * static_cast<double>(end.ofState * end.ofMotion);
@@ -219,23 +243,22 @@ double RunAheadPolicy::delayFor(double probability) const
     return std::max(std::log(kImprobable / probability), 0.0) - caution_ * std::log(probability);
 }
 
-/// Emits what is unknown of a motion once it is worth it. \return the probability that the motion is valid.
+/// Emits the unknown guards of a motion once they are worth it. \return the probability that the motion is valid.
 double RunAheadPolicy::checkMotion(NodeId from, const lattice::Successors::Edge& edge, bool endIsValid)
 {
     double probability = 1.0;
     for (const CheckId inner : successors_.innerOf(edge))
     {
-        guarded_ = guarded_ || !inner.isMotion();
         const Verdict verdict = broker_.verdict(inner);
         if (verdict == Verdict::Invalid)
             return 0.0;
         if (verdict == Verdict::Valid)
             continue;
-        if (verdict == Verdict::Unknown && endIsValid)
-            emit(inner, from);
         // The states that guard a step lie beside its end: whether they are valid is no second question.
         if (inner.isMotion())
             probability *= predictor_.probabilityMotionValid();
+        else if (verdict == Verdict::Unknown && endIsValid)
+            emit(inner, from);
     }
     return probability;
 }
@@ -283,7 +306,10 @@ void RunAheadPolicy::confirmState(NodeId id)
     const double known = static_cast<double>(nodes_[id].ofState);
     nodes_[id].ofState = 1.0F;
     raise(id, known);
-    emitMotionTo(id);
+    if (nodes_[id].guarded)
+        emitGuardsOf(id);
+    if (nodes_[id].status == Status::Closed)
+        emitMotionTo(id, id);
 }
 
 void RunAheadPolicy::confirmMotion(NodeId id)
@@ -293,24 +319,25 @@ void RunAheadPolicy::confirmMotion(NodeId id)
     raise(id, known);
 }
 
-/// The end is valid: now the inside of the motion to it is worth a check.
-void RunAheadPolicy::emitMotionTo(NodeId id)
+/// The shadow goes on from the end of this motion, and the end is valid: so the search will ask for its inside.
+void RunAheadPolicy::emitMotionTo(NodeId id, NodeId from)
+{
+    if (nodes_[id].motion && broker_.verdict(*nodes_[id].motion) == Verdict::Unknown)
+        emit(*nodes_[id].motion, from);
+}
+
+/// The end is valid: now the states beside the motion to it are worth a check.
+void RunAheadPolicy::emitGuardsOf(NodeId id)
 {
     const NodeId parent = nodes_[id].parent;
-    if (parent == lattice::kNoNode || nodes_[id].inner == Inner::None)
+    if (parent == lattice::kNoNode)
         return;
-    if (nodes_[id].inner == Inner::One)
-    {
-        if (broker_.verdict(nodes_[id].motion) == Verdict::Unknown)
-            emit(nodes_[id].motion, parent);
-        return;
-    }
     lattice_.successors(parent, around_);
     for (const lattice::Successors::Edge& edge : around_.edges)
         if (edge.node == id)
-            for (const CheckId inner : around_.innerOf(edge))
-                if (broker_.verdict(inner) == Verdict::Unknown)
-                    emit(inner, parent);
+            for (const CheckId guard : around_.guardsOf(edge))
+                if (broker_.verdict(guard) == Verdict::Unknown)
+                    emit(guard, parent);
 }
 
 /// A probability has become certainty: all that hangs on it is more likely by this factor.
@@ -437,8 +464,9 @@ RunAheadPolicy::Node& RunAheadPolicy::touch(NodeId node)
         if (frontier_.isExpanded(node))
         {
             nodes_[node].status = Status::Closed;
-            nodes_[node].g = frontier_.costToCome(node);
-            nodes_[node].parent = frontier_.parent(node);
+            const FrontierView::Way way = frontier_.bestWay(node);
+            nodes_[node].g = way.cost;
+            nodes_[node].parent = way.parent;
         }
     }
     return nodes_[node];

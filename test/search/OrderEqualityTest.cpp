@@ -92,11 +92,12 @@ void expectCountsAddUp(const validity::CheckStatistics& counts)
     EXPECT_EQ(counts.checksRun, counts.demandedChecks + counts.speculativeChecks - counts.speculativeDropped);
 }
 
-void expectSameSearch(const RandomProblem& problem, const CellSolution& reference, Configuration& configuration)
+void expectSameSearch(const RandomProblem& problem, const CellSolution& reference, ProblemChecker& checker,
+                      Configuration& configuration)
 {
     lattice::Lattice lattice(std::make_unique<lattice::GridNeighbourhood>(problem.box(), problem.steps()));
     const lattice::GridHeuristic heuristic = problem.heuristic(lattice);
-    configuration.checker->open(problem, lattice);
+    checker.open(problem, lattice);
     validity::Broker broker(*configuration.executor);
     broker.setBarrier(configuration.barrier);
     search::AStar search(lattice, heuristic, broker, problem.weight());
@@ -121,7 +122,7 @@ void expectSameSearch(const RandomProblem& problem, const CellSolution& referenc
 
     const search::SearchStatus status = search.run([] { return false; });
     broker.settle();
-    configuration.checker->close();
+    checker.close();
 
     ASSERT_EQ(expansions, reference.expansions);
     EXPECT_EQ(search.expansions(), reference.expansions.size());
@@ -136,7 +137,7 @@ void expectSameSearch(const RandomProblem& problem, const CellSolution& referenc
             path.push_back(cellOf(lattice, step));
         EXPECT_EQ(path, reference.path);
     }
-    EXPECT_EQ(configuration.checker->violations(), 0);
+    EXPECT_EQ(checker.violations(), 0);
     expectCountsAddUp(broker.statistics());
 }
 
@@ -164,7 +165,7 @@ TEST(OrderEquality, EveryExecutorPolicyAndThreadCountMatchesTheSerialReference)
         for (Configuration& configuration : configurations)
         {
             SCOPED_TRACE("problem " + std::to_string(seed) + ", " + configuration.name);
-            expectSameSearch(problem, reference, configuration);
+            expectSameSearch(problem, reference, *configuration.checker, configuration);
             if (HasFatalFailure() || HasNonfatalFailure())
                 return;
         }
@@ -172,6 +173,54 @@ TEST(OrderEquality, EveryExecutorPolicyAndThreadCountMatchesTheSerialReference)
     // The problems are a mixture, or the test would show little.
     EXPECT_GT(solved, problemCount() / 4);
     EXPECT_LT(solved, problemCount());
+}
+
+/// Counts what it passes on.
+class MotionCounter : public validity::Checker
+{
+public:
+    explicit MotionCounter(ProblemChecker& checker) : checker_(checker)
+    {
+    }
+
+    bool check(CheckId check, unsigned worker) override
+    {
+        motions += check.isMotion() ? 1 : 0;
+        return checker_.check(check, worker);
+    }
+
+    std::uint64_t motions = 0;
+
+private:
+    ProblemChecker& checker_;
+};
+
+TEST(OrderEquality, FewerMotionsAreCheckedThanTheReferenceMeets)
+{
+    ProblemChecker checker(1, false);
+    std::uint64_t checked = 0;
+    std::uint64_t met = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed)
+    {
+        SCOPED_TRACE("problem " + std::to_string(seed));
+        const RandomProblem problem(seed);
+        CellProblem plain = problem.forReference();
+        std::uint64_t metHere = 0;
+        plain.isMotionValid = [&metHere, isValid = plain.isMotionValid](const Cell& from, const Cell& to)
+        {
+            ++metHere;
+            return isValid(from, to);
+        };
+        const CellSolution reference = referenceAStar(plain);
+        MotionCounter counter(checker);
+        Configuration sequential{"inline", "none", false, nullptr, std::make_unique<validity::InlineExecutor>(counter)};
+        expectSameSearch(problem, reference, checker, sequential);
+        EXPECT_LE(counter.motions, metHere);
+        checked += counter.motions;
+        met += counter.motions > 0 ? metHere : 0;
+    }
+    EXPECT_GT(checked, 0U);
+    EXPECT_LT(static_cast<double>(checked), 0.7 * static_cast<double>(met));
 }
 }  // namespace
 }  // namespace specplan::test

@@ -29,6 +29,21 @@ struct Successors
     std::vector<Edge> edges;
     std::vector<CheckId> inner;
 
+    /// The check of the motion's inside, if it needs one.
+    [[nodiscard]] std::optional<CheckId> motionOf(const Edge& edge) const noexcept
+    {
+        if (edge.inner == 0 || !inner[edge.firstInner + edge.inner - 1].isMotion())
+            return std::nullopt;
+        return inner[edge.firstInner + edge.inner - 1];
+    }
+
+    /// The states beside the motion that have to be valid.
+    [[nodiscard]] std::span<const CheckId> guardsOf(const Edge& edge) const noexcept
+    {
+        return innerOf(edge).first(edge.inner - (motionOf(edge) ? 1 : 0));
+    }
+
+    /// All checks of the motion besides that of its end: guards first, then its inside.
     [[nodiscard]] std::span<const CheckId> innerOf(const Edge& edge) const noexcept
     {
         return std::span(inner).subspan(edge.firstInner, edge.inner);

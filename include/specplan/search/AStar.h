@@ -22,8 +22,10 @@ using lattice::CheckId;
 
 /// Weighted A* over a lattice whose validity is found out on the way.
 ///
-/// Idea: the textbook's loop. States and motions are checked when an expansion first needs them; a Broker provides the
-/// verdicts and may have run them ahead. Nothing here depends on when or where a check ran.
+/// Idea: the textbook's loop. States are checked when an expansion first meets them, and the inside of a motion when
+/// its end comes to be expanded: most motions that A* meets are never the best way to their end. A Broker provides the
+/// verdicts and may have run them ahead. Nothing here depends on when or where a check ran, and no expansion on when
+/// motions are checked.
 ///
 /// Reference: Hart, Nilsson, Raphael 1968 (A*); Pohl 1970 (weights). The numbers in the comments of the body are those
 /// of docs/algorithm.md.
@@ -80,7 +82,8 @@ public:
     /// Goals have come up, so estimates have fallen: asks for all of them again.
     void heuristicChanged();
 
-    /// Searches until a goal is expanded, OPEN is empty, or `stop` returns true; `stop` is asked once per expansion.
+    /// Searches until a goal is expanded, OPEN is empty, or `stop` returns true; `stop` is asked before each expansion
+    /// and each motion's check.
     /// \throws what a check threw that the search needs. The search can go on after that.
     SearchStatus run(const std::function<bool()>& stop) override;
 
@@ -93,12 +96,20 @@ public:
     /// Nodes from a start to `node` along the parents.
     [[nodiscard]] std::vector<NodeId> pathTo(NodeId node) const override;
 
-    /// Cost of the best way found to a node; infinite if it was not reached.
+    /// Cost of the best way to a node that is known to be valid; infinite if there is none.
     [[nodiscard]] double costToCome(NodeId node) const noexcept override
     {
         return node < nodes_.size() ? nodes_[node].g : kUnreached;
     }
 
+    [[nodiscard]] bool isReached(NodeId node) const noexcept override
+    {
+        return node < nodes_.size() && (nodes_[node].g != kUnreached || nodes_[node].ways != kNoWay);
+    }
+
+    [[nodiscard]] FrontierView::Way bestWay(NodeId node) const noexcept override;
+
+    /// Node before `node` on that way, or kNoNode.
     [[nodiscard]] NodeId parent(NodeId node) const noexcept override
     {
         return node < nodes_.size() ? nodes_[node].parent : lattice::kNoNode;
@@ -154,13 +165,28 @@ private:
         return !std::isnan(h);
     }
 
+    static constexpr std::uint32_t kNoWay = std::numeric_limits<std::uint32_t>::max();
+
     struct Node
     {
-        double g = kUnreached;
+        double g = kUnreached;  ///< of the best way known to be valid
         double h = kNotAsked;
-        NodeId parent = lattice::kNoNode;
+        std::uint64_t age = 0;             ///< when that way was found
+        NodeId parent = lattice::kNoNode;  ///< on that way
+        std::uint32_t ways = kNoWay;       ///< the best of the better ways whose last motion is open
         bool closed = false;
         bool goal = false;
+    };
+
+    /// A way to a node whose last motion has not been asked for. A node's ways are a list, the best one first.
+    struct TentativeWay
+    {
+        double g;
+        double parentG;
+        std::uint64_t age;
+        NodeId parent;
+        CheckId motion;
+        std::uint32_t next;  ///< or kNoWay
     };
 
     using Edge = lattice::Successors::Edge;
@@ -169,10 +195,14 @@ private:
     [[nodiscard]] bool improves(double g, const Node& end) const noexcept;
     void dropUseless(const Node& from);
     [[nodiscard]] bool dropInvalid();
-    void learnCosts();
     void relax(NodeId from, const Edge& edge);
+    [[nodiscard]] bool confirmWay(NodeId node);
+    void settle(NodeId node, double g, std::uint64_t age, NodeId parent);
+    void addWay(NodeId node, const TentativeWay& way);
+    void dropWay(std::uint32_t& link);
+    void place(NodeId node);
+    [[nodiscard]] util::OpenKey earliestKey(const TentativeWay& way, double h) const;
     void noteExpansion(NodeId node);
-    void open(NodeId node);
     [[nodiscard]] bool isGoalNow(NodeId node) const;
     Node& touch(NodeId node);
 
@@ -187,12 +217,14 @@ private:
     std::function<bool(NodeId)> goalTest_;
 
     std::vector<Node> nodes_;
+    std::vector<TentativeWay> ways_;
+    std::uint32_t unusedWays_ = kNoWay;  ///< list of those dropped
     util::OpenList open_;
     std::uint64_t pushes_ = 0;
     std::uint64_t expansions_ = 0;
     std::uint64_t orderHash_ = 0;
     NodeId reachedGoal_ = lattice::kNoNode;
     lattice::Successors successors_;  ///< scratch of expand()
-    std::vector<CheckId> checks_;     ///< scratch of dropInvalid()
+    std::vector<CheckId> checks_;     ///< scratch of dropInvalid() and confirmWay()
 };
 }  // namespace specplan::search

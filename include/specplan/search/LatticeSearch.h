@@ -37,11 +37,14 @@ public:
     /// Nodes from a start to `node` along the parents.
     [[nodiscard]] virtual std::vector<NodeId> pathTo(NodeId node) const = 0;
 
-    /// Cost of the best way known to a node; infinite if there is none.
+    /// Cost of the best way to a node that is known to be valid; infinite if there is none.
     [[nodiscard]] virtual double costToCome(NodeId node) const noexcept = 0;
 
     /// Node before `node` on that way, or kNoNode.
     [[nodiscard]] virtual NodeId parent(NodeId node) const noexcept = 0;
+
+    /// Whether the search knows any way to the node, also one that may still turn out to be invalid.
+    [[nodiscard]] virtual bool isReached(NodeId node) const noexcept = 0;
 
     /// Whether the search has been at the node: has expanded it, or asked for its state if it expands on trust.
     [[nodiscard]] virtual bool isExpanded(NodeId node) const noexcept = 0;

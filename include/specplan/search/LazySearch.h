@@ -85,6 +85,11 @@ public:
     /// Cost of the valid path from a start to `node`; infinite if the node is not on it.
     [[nodiscard]] double costToCome(NodeId node) const noexcept override;
 
+    [[nodiscard]] bool isReached(NodeId node) const noexcept override
+    {
+        return costToCome(node) < LazyTree::kUnreached;
+    }
+
     /// Node before `node` on the valid path, or kNoNode.
     [[nodiscard]] NodeId parent(NodeId node) const noexcept override;
 

@@ -30,6 +30,8 @@ public:
     }
 
 private:
+    void add(lattice::CheckId check, std::size_t full, std::vector<lattice::CheckId>& out) const;
+    void proposeMotion(lattice::NodeId from, lattice::NodeId to, std::size_t full, std::vector<lattice::CheckId>& out);
     void proposeAround(lattice::NodeId node, std::size_t full, std::vector<lattice::CheckId>& out);
 
     lattice::Lattice& lattice_;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <span>
 
+#include "specplan/lattice/CheckId.h"
 #include "specplan/lattice/CostAlgebra.h"
 #include "specplan/lattice/NodeTable.h"
 #include "specplan/util/OpenList.h"
@@ -20,10 +22,16 @@ public:
     /// OPEN, in no particular order.
     [[nodiscard]] virtual std::span<const util::OpenList::Entry> open() const noexcept = 0;
 
-    /// Cost of the best way found to a node; infinite if it was not reached.
-    [[nodiscard]] virtual double costToCome(lattice::NodeId node) const noexcept = 0;
+    /// A way to a node.
+    struct Way
+    {
+        double cost;  ///< infinite if there is none
+        lattice::NodeId parent;
+        std::optional<lattice::CheckId> motion;  ///< its last motion, if that still has to be asked for
+    };
 
-    [[nodiscard]] virtual lattice::NodeId parent(lattice::NodeId node) const noexcept = 0;
+    /// The best way to a node unless its last motion turns out to be invalid.
+    [[nodiscard]] virtual Way bestWay(lattice::NodeId node) const noexcept = 0;
 
     /// Whether the node was expanded.
     [[nodiscard]] virtual bool isExpanded(lattice::NodeId node) const noexcept = 0;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <vector>
 
@@ -51,13 +52,6 @@ public:
 private:
     static constexpr double kNotAsked = std::numeric_limits<double>::quiet_NaN();
 
-    enum class Inner : std::uint8_t
-    {
-        None,
-        One,  ///< the check of the motion
-        More  ///< other states, too
-    };
-
     enum class Status : std::uint8_t
     {
         Unseen,
@@ -74,8 +68,8 @@ private:
         std::uint64_t closedAs = 0;  ///< number of the shadow's expansion that closed it
         lattice::NodeId parent = lattice::kNoNode;
         lattice::NodeId askedFrom = lattice::kNoNode;  ///< expansion that wanted the state's check
-        lattice::CheckId motion;                       ///< of the motion from the parent, if `inner` is One
-        Inner inner = Inner::None;                     ///< what that motion needs besides its end
+        std::optional<lattice::CheckId> motion;        ///< the check of the motion from the parent
+        bool guarded = false;                          ///< that motion needs states beside it, too
         float ofState = 1.0F;                          ///< that the state is valid
         float ofMotion = 1.0F;                         ///< that the motion from the parent is
         Status status = Status::Unseen;
@@ -111,7 +105,8 @@ private:
     // Repair.
     void confirmState(lattice::NodeId id);
     void confirmMotion(lattice::NodeId id);
-    void emitMotionTo(lattice::NodeId id);
+    void emitMotionTo(lattice::NodeId id, lattice::NodeId from);
+    void emitGuardsOf(lattice::NodeId id);
     void raise(lattice::NodeId root, double known);
     [[nodiscard]] double delayFor(double probability) const;
     void forget(lattice::NodeId id);
@@ -120,6 +115,8 @@ private:
 
     [[nodiscard]] bool isGuardedBy(lattice::NodeId end, lattice::CheckId guard);
     [[nodiscard]] bool isClosed(lattice::NodeId node) const;
+    [[nodiscard]] bool leadsOn(const Pending& pending) const;
+    [[nodiscard]] bool isOnTheWay(lattice::CheckId motion) const;
     [[nodiscard]] bool isChild(lattice::NodeId node, lattice::NodeId parent) const;
     [[nodiscard]] bool wouldComeFirst(const Node& node, const Node& other) const;
     [[nodiscard]] double costOf(const lattice::Successors::Edge& edge) const;
@@ -138,6 +135,7 @@ private:
 
     bool imported_ = false;
     bool guarded_ = false;                          ///< steps need the states of further nodes
+    std::optional<lattice::CheckId> motionToGoal_;  ///< proposed while the shadow waits at a goal
     lattice::NodeId expanding_ = lattice::kNoNode;  ///< the search is at this node
     std::vector<lattice::NodeId> behind_;           ///< expanded by the search, not yet by the shadow
     std::vector<Node> nodes_;
