@@ -11,7 +11,6 @@ namespace specplan::problems
 {
 namespace
 {
-constexpr double kMaxCells = 1 << 28;
 constexpr std::string_view kFree = ".GS";
 constexpr std::string_view kBlocked = "@OTW";
 
@@ -63,7 +62,7 @@ GridMap readMovingAiMap(const std::string& path)
         in.fail("expected 'type octile', found '", line.substr(0, 40), "'");
     const int height = readSize(in, "height");
     const int width = readSize(in, "width");
-    if (static_cast<double>(height) * width > kMaxCells)
+    if (static_cast<double>(height) * width > GridMap::kMaxCells)
         in.fail("expected at most 2^28 cells, found ", width, " x ", height);
     if (const std::string line = in.expect("'map'"); line != "map")
         in.fail("expected 'map', found '", line.substr(0, 40), "'");

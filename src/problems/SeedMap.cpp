@@ -7,8 +7,6 @@ namespace specplan::problems
 {
 namespace
 {
-constexpr double kMaxCells = 1 << 28;
-
 void readHeading(LineReader& in, const std::string& heading)
 {
     if (const std::string line = in.expect("'", heading, "'"); line != heading)
@@ -57,7 +55,7 @@ GridProblem readSeedMap(const std::string& path)
     LineReader in(path);
     readHeading(in, "N");
     const GridCell size = parsePair(in, in.expect("the size of the map"), "the size of the map");
-    if (size[0] < 1 || size[1] < 1 || static_cast<double>(size[0]) * size[1] > kMaxCells)
+    if (size[0] < 1 || size[1] < 1 || static_cast<double>(size[0]) * size[1] > GridMap::kMaxCells)
         in.fail("expected a size of 1 to 2^28 cells");
     readHeading(in, "C");
     double threshold = 0.0;

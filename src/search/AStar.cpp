@@ -161,13 +161,11 @@ bool AStar::confirmWay(NodeId node)
     if (!broker_.demand(checks_))
         return false;
     dropWay(nodes_[node].ways);
-    if (broker_.verdict(way.motion) == Verdict::Invalid)
-        place(node);
-    else if (lattice_.motionCosts() == nullptr)
-        settle(node, way.g, way.age, way.parent);
-    // The check has told what the motion costs; so far there was a lower bound.
-    else if (const double g = sum_(way.parentG, lattice_.motionCosts()->known(way.motion.motion()));
-             improves(g, nodes_[node]))
+    const bool valid = broker_.verdict(way.motion) == Verdict::Valid;
+    double g = way.g;
+    if (valid && lattice_.motionCosts() != nullptr)  // so far there was a lower bound; the check has told the cost
+        g = sum_(way.parentG, lattice_.motionCosts()->known(way.motion.motion()));
+    if (valid && improves(g, nodes_[node]))
         settle(node, g, way.age, way.parent);
     else
         place(node);

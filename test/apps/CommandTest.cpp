@@ -155,7 +155,7 @@ class BadCommand : public testing::TestWithParam<BadCall>
 {
 };
 
-std::string replaced(std::string text, const std::string& what, const std::string& by)
+std::string filledIn(std::string text, const std::string& what, const std::string& by)
 {
     for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
         text.replace(at, what.size(), by);
@@ -166,7 +166,7 @@ TEST_P(BadCommand, PrintsOneLineAndLeavesNoFile)
 {
     const TemporaryFolder folder;
     const std::string map = folder.write("small.map", kSmall);
-    const std::string arguments = replaced(replaced(GetParam().arguments, "MAP", map), "OUT", folder / ".");
+    const std::string arguments = filledIn(filledIn(GetParam().arguments, "MAP", map), "OUT", folder / ".");
     const Outcome outcome = call(arguments);
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.out, "");

@@ -12,19 +12,13 @@
 #include <thread>
 
 #include "Command.h"
+#include "Replaced.h"
 #include "fcl/RigidFixture.h"
 
 namespace specplan::test
 {
 namespace
 {
-std::string replaced(std::string text, const std::string& what, const std::string& by)
-{
-    const auto at = text.find(what);
-    EXPECT_NE(at, std::string::npos) << what;
-    return text.replace(at, what.size(), by);
-}
-
 class RigidBodyCommand : public testing::Test
 {
 protected:

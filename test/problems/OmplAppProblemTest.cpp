@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "Replaced.h"
 #include "TemporaryFolder.h"
 #include "specplan/problems/InputError.h"
 
@@ -68,13 +69,6 @@ protected:
 
     TemporaryFolder folder_;
 };
-
-std::string replaced(std::string text, const std::string& what, const std::string& by)
-{
-    const auto at = text.find(what);
-    EXPECT_NE(at, std::string::npos) << what;
-    return text.replace(at, what.size(), by);
-}
 
 TEST_F(OmplAppFile, ReadsAProblemInThePlane)
 {

@@ -12,7 +12,7 @@ namespace
 using test::FakeChecker;
 using test::stateCheck;
 
-constexpr std::chrono::milliseconds kWait{1};
+constexpr std::chrono::milliseconds kPatience{1};
 constexpr std::chrono::milliseconds kNoWait{0};
 
 /// A check of node n lasts n seconds.
@@ -42,14 +42,14 @@ TEST(VirtualExecutor, ChecksEndWhenTheirWorkersAreDone)
         executor.submit(stateCheck(node), Urgency::Speculative);
     EXPECT_EQ(executor.freeWorkers(), 0U);
     EXPECT_EQ(collected(executor, kNoWait), Nodes{}) << "time stands still until somebody waits";
-    EXPECT_EQ(collected(executor, kWait), Nodes{2});
+    EXPECT_EQ(collected(executor, kPatience), Nodes{2});
     EXPECT_EQ(executor.now(), 2.0);
-    EXPECT_EQ(collected(executor, kWait), Nodes{5});
+    EXPECT_EQ(collected(executor, kPatience), Nodes{5});
     EXPECT_EQ(executor.now(), 5.0);
-    EXPECT_EQ(collected(executor, kWait), Nodes{4}) << "began at 2, when the first worker fell free";
+    EXPECT_EQ(collected(executor, kPatience), Nodes{4}) << "began at 2, when the first worker fell free";
     EXPECT_EQ(executor.now(), 6.0);
     EXPECT_FALSE(executor.busy());
-    EXPECT_EQ(collected(executor, kWait), Nodes{}) << "nothing to wait for";
+    EXPECT_EQ(collected(executor, kPatience), Nodes{}) << "nothing to wait for";
     EXPECT_EQ(executor.now(), 6.0);
 }
 
@@ -59,7 +59,7 @@ TEST(VirtualExecutor, ThoseThatEndTogetherComeInTheOrderOfTheirStart)
     VirtualExecutor executor(checker, 3, [](CheckId, bool) { return 1.0; });
     for (const std::uint32_t node : {9U, 3U, 7U})
         executor.submit(stateCheck(node), Urgency::Speculative);
-    EXPECT_EQ(collected(executor, kWait), (Nodes{9, 3, 7}));
+    EXPECT_EQ(collected(executor, kPatience), (Nodes{9, 3, 7}));
 }
 
 TEST(VirtualExecutor, DemandedChecksOvertakeQueuedOnes)
@@ -74,7 +74,7 @@ TEST(VirtualExecutor, DemandedChecksOvertakeQueuedOnes)
     executor.promote(stateCheck(1));  // runs already: nothing to do
     Nodes order;
     while (executor.busy())
-        for (const std::uint32_t node : collected(executor, kWait))
+        for (const std::uint32_t node : collected(executor, kPatience))
             order.push_back(node);
     EXPECT_EQ(order, (Nodes{1, 4, 3, 2}));
 }
@@ -88,7 +88,7 @@ TEST(VirtualExecutor, QueuedChecksCanBeTakenBack)
     std::vector<CheckId> dropped;
     executor.cancelQueued(dropped);
     EXPECT_EQ(dropped, (std::vector<CheckId>{stateCheck(2), stateCheck(3)}));
-    EXPECT_EQ(collected(executor, kWait), Nodes{1});
+    EXPECT_EQ(collected(executor, kPatience), Nodes{1});
     EXPECT_FALSE(executor.busy());
     EXPECT_EQ(checker.calls, 1);
 }
@@ -99,7 +99,7 @@ TEST(VirtualExecutor, CostMayDependOnTheVerdict)
     VirtualExecutor executor(checker, 2, [](CheckId, bool valid) { return valid ? 10.0 : 1.0; });
     executor.submit(stateCheck(2), Urgency::Speculative);
     executor.submit(stateCheck(3), Urgency::Speculative);
-    EXPECT_EQ(collected(executor, kWait), Nodes{3});
+    EXPECT_EQ(collected(executor, kPatience), Nodes{3});
     EXPECT_EQ(executor.now(), 1.0);
 }
 }  // namespace

@@ -14,6 +14,9 @@ using GridCell = std::array<int, 2>;
 class GridMap
 {
 public:
+    /// Larger maps in files are refused.
+    static constexpr double kMaxCells = 1 << 28;
+
     /// All cells blocked. \param width, height at least 1.
     GridMap(int width, int height)
         : width_(width), height_(height), free_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
