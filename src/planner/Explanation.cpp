@@ -63,7 +63,7 @@ void explain(const PlannerSession& session, const std::string& refusal, std::ost
         out << " of length " << branching.shortest << " to " << branching.longest << ", " << branching.checked
             << " of them checked inside (" << branching.states / static_cast<double>(branching.steps)
             << " states on average, " << branching.mostStates << " at most)";
-    out << "\nSearch: " << (query.isLazy() ? "lazy, " : "") << "weight " << query.firstWeight() << ", "
+    out << "\nSearch: " << (query.isLazy() ? "lazy, " : "") << "weight " << session.weight() << ", "
         << (query.addsCosts() ? "costs add up" : "costs are combined by the objective; weights have no meaning") << ", "
         << (query.isConsistent() ? "consistent heuristic" : "states are opened again where they are reached better")
         << '\n';

@@ -27,6 +27,9 @@ double automaticWeight(unsigned axes)
     return axes <= 7 ? 3.0 : 5.0;
 }
 
+/// Weight for a first path, soon to be bettered.
+constexpr double kHasty = 10.0;
+
 /// Bit by bit: a path has to end in the very state that was asked for.
 bool sameValues(const ob::StateSpace& space, const ob::State* a, const ob::State* b)
 {
@@ -82,13 +85,14 @@ std::unique_ptr<speculation::Policy> LatticeQuery::makePolicy()
     return nullptr;
 }
 
-double LatticeQuery::firstWeight() const
+double LatticeQuery::firstWeight(bool goesOn) const
 {
     if (isLazy())
         return 1.0;
     if (settings_.weight > 0.0)
         return settings_.weight;
-    return automaticWeight(embedding_.axes());
+    const double automatic = automaticWeight(embedding_.axes());
+    return goesOn && addsCosts() ? std::max(automatic, kHasty) : automatic;
 }
 
 void LatticeQuery::beginQuery()

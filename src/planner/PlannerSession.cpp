@@ -36,6 +36,9 @@ constexpr std::size_t kMaxSampledGoals = 16;
 /// A goal's threshold below this means "this very state".
 constexpr double kExact = 1e-9;
 
+/// The part of a weight that is above 1 is divided by this for a better path.
+constexpr double kHaste = 3.0;
+
 /// Below this a weight is 1.
 constexpr double kLeastWeight = 1.05;
 
@@ -241,7 +244,7 @@ std::optional<ob::PlannerStatus> PlannerSession::openQuery(ob::PlannerInputState
     }
     if (changed)
     {
-        weight_ = query->firstWeight();
+        weight_ = query->firstWeight(settings.anytime && pdef.hasOptimizationObjective());
         finished_ = false;
         bestCost_.reset();
         bestPath_.reset();
@@ -330,7 +333,7 @@ bool PlannerSession::beginBetterSearch(const ob::ProblemDefinition& pdef)
         return false;
     if (query->addsCosts() && weight_ > 1.0)
     {
-        weight_ = 1.0 + (weight_ - 1.0) / 2.0;
+        weight_ = 1.0 + (weight_ - 1.0) / kHaste;
         if (weight_ < kLeastWeight)
             weight_ = 1.0;
         beginSearch();

@@ -63,8 +63,9 @@ public:
         return settings_.evaluation == "lazy" && canBeLazy();
     }
 
-    /// Weight that the settings stand for; 1 for searches that have none.
-    [[nodiscard]] double firstWeight() const;
+    /// Weight that the settings stand for; 1 for searches that have none. \param goesOn whether better paths are looked
+    /// for after the first one: then that one may be found in haste.
+    [[nodiscard]] double firstWeight(bool goesOn) const;
 
     /// Whether costs add up, so that weights have a meaning.
     [[nodiscard]] bool addsCosts() const noexcept

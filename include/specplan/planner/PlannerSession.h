@@ -96,6 +96,12 @@ public:
     SearchReport report;
     Live live;
 
+    /// Weight of the search that is on.
+    [[nodiscard]] double weight() const noexcept
+    {
+        return weight_;
+    }
+
 private:
     /// The searches of a query before the current one.
     struct Past
