@@ -187,7 +187,7 @@ Outcome searchVirtually(const GridSearch& wanted)
 Outcome searchLazily(const GridSearch& wanted, search::Selector selector)
 {
     Arena arena(wanted);
-    search::LazySearch search(arena.lattice, arena.heuristic, arena.broker);
+    search::LazySearch search(arena.lattice, arena.heuristic, arena.broker, wanted.weight);
     search.setSelector(selector);
     if (wanted.workers > 1)
         arena.broker.setSource(&search);

@@ -47,7 +47,7 @@ struct Outcome
 /// Searches on the virtual clock with A*.
 [[nodiscard]] Outcome searchVirtually(const GridSearch& search);
 
-/// Searches on the virtual clock with the lazy search; policy, predictor and weight mean nothing to it.
+/// Searches on the virtual clock with the lazy search; policy and predictor mean nothing to it.
 [[nodiscard]] Outcome searchLazily(const GridSearch& search, search::Selector selector);
 
 /// Searches with a sequential lazy weighted A*, for comparison.

@@ -139,7 +139,7 @@ void printLazySuites(const std::string& folder, const char* data)
     problems::writeFile(folder + "/lazy.csv",
                         [data](std::ostream& csv)
                         {
-                            csv << "problem,selector,workers,checks_used,checks_run,virtual_time,speedup,"
+                            csv << "problem,selector,weight,workers,checks_used,checks_run,virtual_time,speedup,"
                                    "accuracy,expansions,search_ns_per_check\n";
                             printLazyTables(lazySuite(bundledSuite(SPECPLAN_SCENES_DIR, "128")), "bundled scenes", csv);
                             if (data != nullptr)

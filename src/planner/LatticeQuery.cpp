@@ -87,8 +87,6 @@ std::unique_ptr<speculation::Policy> LatticeQuery::makePolicy()
 
 double LatticeQuery::firstWeight(bool goesOn) const
 {
-    if (isLazy())
-        return 1.0;
     if (settings_.weight > 0.0)
         return settings_.weight;
     const double automatic = automaticWeight(embedding_.axes());
@@ -263,7 +261,7 @@ bool LatticeQuery::canBeLazy() const
 
 void LatticeQuery::beginLazySearch()
 {
-    auto search = std::make_unique<search::LazySearch>(lattice_, heuristic_, broker_);
+    auto search = std::make_unique<search::LazySearch>(lattice_, heuristic_, broker_, weight_);
     lazy_ = search.get();
     search_ = std::move(search);
     if (speculates_)

@@ -18,13 +18,17 @@ constexpr std::size_t kPortion = 4096;
 /// Nodes that one guess may cost before it is left alone until it is known.
 constexpr std::size_t kMostForGuess = 20000;
 
-/// A check is guessed to be valid from this probability on: an obstacle goes on beside where it was met.
-constexpr double kSure = 0.9;
+/// A check is guessed to be valid from this probability on: an obstacle goes on beside where it was met. A little less
+/// will do where the answer decides on one step, not on the way to the goal.
+constexpr double kLikely = 0.75;
+constexpr double kLikelyStep = 0.65;
 }  // namespace
 
-LazySearch::LazySearch(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker)
-    : lattice_(lattice), broker_(broker), tree_(lattice, heuristic), predictor_(lattice)
+LazySearch::LazySearch(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker,
+                       double weight)
+    : lattice_(lattice), broker_(broker), tree_(lattice, heuristic, weight), predictor_(lattice)
 {
+    tree_.setDoubt([this](NodeId node) { return predictor_.isDoubtful(node); });
 }
 
 SearchStatus LazySearch::run(const std::function<bool()>& stop)
@@ -63,9 +67,16 @@ LazySearch::Plan LazySearch::plan(std::size_t budget)
 {
     while (plan_ == Plan::Unfinished)
     {
-        const std::uint64_t before = tree_.expansions();
-        if (!pathHolds_ && !tree_.repair(budget))
+        if (chooseSuspect())
             return plan_;
+        const std::uint64_t before = tree_.expansions();
+        if (const LazyTree::Repair state = pathHolds_ ? LazyTree::Repair::Done : tree_.repair(budget);
+            state != LazyTree::Repair::Done)
+        {
+            if (state == LazyTree::Repair::Doubtful)
+                demandNext(CheckId::ofState(tree_.doubtful()));
+            return plan_;
+        }
         budget -= static_cast<std::size_t>(tree_.expansions() - before);
         if (tree_.nearestGoal() == lattice::kNoNode)
             return plan_ = Plan::NoWay;
@@ -76,6 +87,25 @@ LazySearch::Plan LazySearch::plan(std::size_t budget)
         choose();
     }
     return plan_;
+}
+
+/// Of the nodes that turned doubtful while ways lead through them the one nearest to the start is asked for first: if
+/// it is invalid, others need not be asked for.
+bool LazySearch::chooseSuspect()
+{
+    std::erase_if(suspects_, [this](NodeId node)
+                  { return !tree_.isPassed(node) || tree_.verdict(CheckId::ofState(node)) != Verdict::Unknown; });
+    if (suspects_.empty())
+        return false;
+    demandNext(CheckId::ofState(
+        *std::ranges::min_element(suspects_, [this](NodeId a, NodeId b) { return tree_.comesBefore(a, b); })));
+    return true;
+}
+
+void LazySearch::demandNext(CheckId check)
+{
+    next_ = check;
+    plan_ = Plan::Next;
 }
 
 /// Lists what is unknown of the path, from the goal on.
@@ -99,9 +129,10 @@ void LazySearch::readPath()
 void LazySearch::choose()
 {
     const std::vector<CheckId>& unknown = unknownStates_.empty() ? unknownMotions_ : unknownStates_;
-    plan_ = unknown.empty() ? Plan::Valid : Plan::Next;
-    if (plan_ == Plan::Next)
-        next_ = unknown[placeOf(unknown)];
+    if (unknown.empty())
+        plan_ = Plan::Valid;
+    else
+        demandNext(unknown[placeOf(unknown)]);
 }
 
 std::size_t LazySearch::placeOf(const std::vector<CheckId>& unknown) const
@@ -133,6 +164,15 @@ double LazySearch::probabilityValid(CheckId check) const
     return check.isMotion() ? predictor_.probabilityMotionValid() : predictor_.probabilityValid(check.node());
 }
 
+/// Obstacles go on: what is passed beside an invalid state may have to be taken back as well.
+void LazySearch::suspectAround(NodeId node)
+{
+    lattice_.successors(node, successors_);
+    for (const lattice::Successors::Edge& edge : successors_.edges)
+        if (tree_.isPassed(edge.node) && predictor_.isDoubtful(edge.node))
+            suspects_.push_back(edge.node);
+}
+
 /// Draws the consequences of a verdict, real or guessed.
 void LazySearch::enter(CheckId check, bool valid)
 {
@@ -141,7 +181,11 @@ void LazySearch::enter(CheckId check, bool valid)
     tree_.enter(check, valid);
     plan_ = Plan::Unfinished;
     if (!valid)
+    {
         pathHolds_ = false;
+        if (!check.isMotion())
+            suspectAround(check.node());
+    }
     else
         std::erase(check.isMotion() ? unknownMotions_ : unknownStates_, check);
 }
@@ -182,7 +226,13 @@ void LazySearch::note(CheckId check, bool valid)
 void LazySearch::propose(std::size_t count, std::vector<CheckId>& out)
 {
     const std::size_t full = out.size() + count;
-    const auto first = static_cast<std::ptrdiff_t>(out.size());
+    const std::size_t first = out.size();
+    const auto proposeOne = [&](CheckId check)
+    {
+        if (out.size() < full && broker_.verdict(check) == Verdict::Unknown &&
+            std::find(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(), check) == out.end())
+            out.push_back(check);
+    };
     stuck_ = stuck_ && !guesses_.empty();
     for (std::size_t steps = 4 * count + 16; out.size() < full && steps > 0 && !stuck_; --steps)
     {
@@ -197,20 +247,25 @@ void LazySearch::propose(std::size_t count, std::vector<CheckId>& out)
             continue;
         }
         const Verdict verdict = broker_.verdict(next_);
-        const double probability = probabilityValid(next_);
-        if (verdict == Verdict::Unknown && std::find(out.begin() + first, out.end(), next_) == out.end())
-            out.push_back(next_);
-        if (validity::isKnown(verdict))
-            guess(probability, verdict == Verdict::Valid);
-        else
-            guess(probability, probability >= kSure || (!next_.isMotion() && tree_.isGoal(next_.node())));
+        proposeOne(next_);
+        for (const NodeId suspect : suspects_)
+            proposeOne(CheckId::ofState(suspect));
+        guess(probabilityValid(next_), validity::isKnown(verdict) ? verdict == Verdict::Valid : isLikely(next_));
     }
+}
+
+/// Whether to go on as if a check came out valid.
+bool LazySearch::isLikely(CheckId check) const
+{
+    const bool isStep = !pathHolds_ && suspects_.empty();
+    return probabilityValid(check) >= (isStep ? kLikelyStep : kLikely) ||
+           (!check.isMotion() && tree_.isGoal(check.node()));
 }
 
 /// Goes on as if the next check had come out like this.
 void LazySearch::guess(double probability, bool valid)
 {
-    guesses_.push_back({next_, valid, probability, {}});
+    guesses_.push_back({next_, valid, probability, suspects_, {}});
     tree_.record(&guesses_.back().journal);
     enter(next_, valid);
 }
@@ -249,6 +304,7 @@ void LazySearch::takeBack(std::size_t first)
         tree_.undo(guess.check, guess.journal);
         if (!guess.check.isMotion())
             predictor_.forget(guess.check.node(), guess.valid);
+        suspects_ = guess.suspects;
     }
     if (!guesses_.empty())
         tree_.record(&guesses_.back().journal);

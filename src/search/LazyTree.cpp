@@ -15,15 +15,16 @@ using validity::Verdict;
 namespace
 {
 /// Rounding changes a step of average length by less than this share of it.
-constexpr int kUnitBits = 32;
+constexpr int kUnitBits = 36;
 
-/// Estimates are shortened by this share, which is more than rounding can take off the costs: so they stay consistent,
-/// and all nodes on equally short paths come before the goal.
-constexpr double kShorter = 1.0 - 0x1p-26;
+/// Among equally good entries the one comes first whose predecessor is the nearest to a goal: so of equally short paths
+/// one is followed to its end. This share of the predecessor's estimate is added to f; it is more than rounding does to
+/// the costs, and nobody notices it in the cost of the path.
+constexpr double kTieShare = 0x1p-33;
 }  // namespace
 
-LazyTree::LazyTree(lattice::Lattice& lattice, const lattice::Heuristic& heuristic)
-    : lattice_(lattice), heuristic_(heuristic)
+LazyTree::LazyTree(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, double weight)
+    : lattice_(lattice), heuristic_(heuristic), weight_(weight)
 {
 }
 
@@ -80,7 +81,7 @@ NodeId LazyTree::nearestGoal()
     return nearestGoal_;
 }
 
-/// Whether nothing on OPEN can shorten the way to the nearest goal, or lie on it.
+/// Whether nothing on OPEN can shorten the way to the nearest goal.
 bool LazyTree::isDone()
 {
     const util::OpenKey& first = open_.top().key;
@@ -90,18 +91,24 @@ bool LazyTree::isDone()
     if (goal == lattice::kNoNode)
         return false;
     const double g = nodes_[goal].g;
-    return nodes_[goal].rhs == g && (first.f > g || (first.f == g && -first.g >= g));
+    return nodes_[goal].rhs == g && first.f >= g;
 }
 
-bool LazyTree::repair(std::size_t budget)
+LazyTree::Repair LazyTree::repair(std::size_t budget)
 {
+    for (const NodeId lost : lost_)
+        look(lost);
+    lost_.clear();
     for (; !open_.empty() && !isDone(); --budget)
     {
         if (budget == 0)
-            return false;
-        expand(open_.top().item);
+            return Repair::Unfinished;
+        const NodeId first = open_.top().item;
+        if (nodes_[first].verdict == Verdict::Unknown && doubt_ && doubt_(first))
+            return Repair::Doubtful;
+        expand(first);
     }
-    return true;
+    return Repair::Done;
 }
 
 /// A better way to the node was found: passes it on.
@@ -117,32 +124,31 @@ void LazyTree::expand(NodeId id)
     {
         const Edge& edge = edges_[e];
         const Node& to = nodes_[edge.to];
-        if (!(g + edge.cost < to.rhs))
+        if (!(g + edge.cost < to.rhs) || (weight_ > 1.0 && to.g < kUnreached))
             continue;
         if (const double rhs = g + costOf(edge); rhs < to.rhs)
             set(edge.to, to.g, rhs, e);
     }
 }
 
-/// The way to the node may be lost: so may be those of all that came through it. They look for others together.
+/// The way to the node may be lost: so may be those of all that came through it. They look for others when it is known
+/// which are lost; that may wait for more verdicts.
 void LazyTree::lose(NodeId id)
 {
-    lost_.clear();
-    doubt(id);
-    for (std::size_t i = 0; i < lost_.size(); ++i)
+    const std::size_t before = lost_.size();
+    forsake(id);
+    for (std::size_t i = before; i < lost_.size(); ++i)
     {
         const EdgeId first = nodes_[lost_[i]].firstOut;
         const EdgeId end = first == kNoEdge ? first : first + nodes_[lost_[i]].out;
         for (EdgeId e = first; e < end; ++e)
             if (nodes_[edges_[e].to].via == e)
-                doubt(edges_[e].to);
+                forsake(edges_[e].to);
     }
-    for (const NodeId lost : lost_)
-        look(lost);
 }
 
 /// Finds another way of the same cost into a node, or counts it among the lost.
-void LazyTree::doubt(NodeId id)
+void LazyTree::forsake(NodeId id)
 {
     const Node& node = nodes_[id];
     if (node.start || node.rhs == kUnreached)
@@ -157,11 +163,11 @@ void LazyTree::doubt(NodeId id)
     }
 }
 
-/// Finds the best way into a node.
+/// Finds the best way into a node that has none.
 void LazyTree::look(NodeId id)
 {
     const Node& node = nodes_[id];
-    if (node.start || node.verdict == Verdict::Invalid)
+    if (node.rhs != kUnreached || node.verdict == Verdict::Invalid)
         return;
     double rhs = kUnreached;
     EdgeId via = kNoEdge;
@@ -172,7 +178,7 @@ void LazyTree::look(NodeId id)
                   if (!(g + into.cost <= rhs) || g == kUnreached)
                       return;
                   const double cost = g + costOf(edges_[into.edge]);
-                  if (cost < rhs || (cost == rhs && cost < kUnreached && comesBefore(into.edge, via)))
+                  if (cost < rhs || (cost == rhs && cost < kUnreached && isPreferred(into.edge, via)))
                   {
                       rhs = cost;
                       via = into.edge;
@@ -224,7 +230,8 @@ void LazyTree::place(NodeId id)
     if (node.g != node.rhs)
     {
         const double g = std::min(node.g, node.rhs);
-        open_.push(id, {g + node.h, -g, node.rank});
+        const double before = node.via == kNoEdge ? node.h : nodes_[edges_[node.via].from].h;
+        open_.push(id, {g + node.h + kTieShare * before, -g, node.rank});
     }
     else if (open_.contains(id))
         open_.erase(id);
@@ -289,8 +296,8 @@ bool LazyTree::findPath(std::vector<EdgeId>& path)
     path.clear();
     for (NodeId node = nearestGoal(); !nodes_[node].start;)
     {
-        const EdgeId best = bestInto(node);
-        if (best == kNoEdge)
+        const EdgeId best = nodes_[node].via;
+        if (costOf(edges_[best]) == kUnreached)
         {
             lose(node);
             return false;
@@ -311,18 +318,26 @@ LazyTree::EdgeId LazyTree::bestInto(NodeId id) const
               {
                   const double g = nodes_[into.from].g;
                   if (g + into.cost <= node.rhs && g + costOf(edges_[into.edge]) == node.rhs &&
-                      (best == kNoEdge || comesBefore(into.edge, best)))
+                      (best == kNoEdge || isPreferred(into.edge, best)))
                       best = into.edge;
               });
     return best;
 }
 
-bool LazyTree::comesBefore(EdgeId edge, EdgeId other) const
+bool LazyTree::isPreferred(EdgeId edge, EdgeId other) const
 {
     const NodeId a = edges_[edge].from;
     const NodeId b = edges_[other].from;
     return a == b ? edge < other
                   : std::ranges::lexicographical_compare(lattice_.coordinates(a), lattice_.coordinates(b));
+}
+
+bool LazyTree::comesBefore(NodeId node, NodeId other) const
+{
+    const double g = nodes_[node].g;
+    const double otherG = nodes_[other].g;
+    return g != otherG ? g < otherG
+                       : std::ranges::lexicographical_compare(lattice_.coordinates(node), lattice_.coordinates(other));
 }
 
 void LazyTree::enter(CheckId check, bool valid)
@@ -367,6 +382,8 @@ void LazyTree::undo(CheckId check, const Journal& journal)
         node.rhs = change->rhs;
         node.via = change->via;
         place(change->node);
+        if (node.rhs == kUnreached)
+            lost_.push_back(change->node);  // it may have been, and have looked for another way since
     }
     if (check.isMotion())
         motions_[check.motion()] = Verdict::Unknown;
@@ -381,7 +398,7 @@ LazyTree::Node& LazyTree::touch(NodeId id)
     Node& node = nodes_[id];
     if (node.h < 0.0)
     {
-        node.h = kShorter * heuristic_.estimate(id);
+        node.h = weight_ * heuristic_.estimate(id);
         node.rank = util::hashCoordinates(lattice_.coordinates(id));
     }
     return node;

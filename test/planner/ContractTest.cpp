@@ -409,6 +409,16 @@ TEST_P(LazyContractTest, Holds)
         EXPECT_EQ(order.value_or(report.orderHash), report.orderHash);
         order = report.orderHash;
     }
+
+    Problem weighted(contract);
+    weighted.settings.evaluation = "lazy";
+    weighted.settings.weight = 3.0;
+    ASSERT_EQ(weighted.solve(1, "threads"), ob::PlannerStatus::EXACT_SOLUTION);
+    const SearchReport& report = weighted.planner->getReport();
+    EXPECT_EQ(report.weight, 3.0);
+    EXPECT_GE(report.cost, eagerly.cost * (1.0 - 1e-9));
+    EXPECT_LE(report.cost, eagerly.cost * 3.0);
+    EXPECT_TRUE(weighted.pdef->getSolutionPath()->check());
 }
 
 std::vector<Contract> lazyContracts()

@@ -14,16 +14,17 @@ namespace
 {
 using lattice::CheckId;
 using search::LazyTree;
+using Repair = LazyTree::Repair;
 
 constexpr std::size_t kAnyNumber = 1U << 30U;
 
 /// A tree over one random problem, with its own lattice.
 struct Fixture
 {
-    explicit Fixture(const RandomProblem& problem)
+    explicit Fixture(const RandomProblem& problem, double weight = 1.0)
         : lattice(std::make_unique<lattice::GridNeighbourhood>(problem.box(), problem.steps())),
           heuristic(problem.heuristic(lattice)),
-          tree(lattice, heuristic)
+          tree(lattice, heuristic, weight)
     {
         for (const Cell& goal : problem.goals())
             tree.addGoal(node(goal));
@@ -48,7 +49,7 @@ struct Fixture
         std::vector<Cell> cells;
         do
         {
-            EXPECT_TRUE(tree.repair(kAnyNumber));
+            EXPECT_EQ(tree.repair(kAnyNumber), Repair::Done);
             if (tree.nearestGoal() == lattice::kNoNode)
                 return {};
         } while (!tree.findPath(edges));
@@ -58,13 +59,26 @@ struct Fixture
         return cells;
     }
 
+    /// Length of the path found last.
+    double cost()
+    {
+        double sum = 0.0;
+        lattice::Successors successors;
+        for (const LazyTree::EdgeId edge : edges)
+        {
+            lattice.successors(tree.from(edge), successors);
+            sum += successors.edges[tree.indexOf(edge)].cost;
+        }
+        return sum;
+    }
+
     lattice::Lattice lattice;
     lattice::GridHeuristic heuristic;
     LazyTree tree;
     std::vector<LazyTree::EdgeId> edges;
 };
 
-TEST(LazyTree, RepairAndTakingBackLeadToTheTreeMadeFromScratch)
+TEST(LazyTree, RepairAndTakingBackLeadToTheCostFoundFromScratch)
 {
     std::uint64_t changes = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed)
@@ -103,39 +117,85 @@ TEST(LazyTree, RepairAndTakingBackLeadToTheTreeMadeFromScratch)
             Fixture fresh(problem);
             for (const Cell& cell : closed)
                 fresh.tree.enter(CheckId::ofState(fresh.node(cell)), false);
-            ASSERT_EQ(fresh.path(), path);
+            ASSERT_EQ(fresh.path().empty(), path.empty());
+            if (!path.empty())
+            {
+                ASSERT_NEAR(fresh.cost(), repaired.cost(), 1e-9);
+            }
         }
     }
     EXPECT_GT(changes, 1000U);
 }
 
-TEST(LazyTree, AVerdictCostsFarLessThanTheTree)
+/// A square of 400 x 400 cells with a way from left to right.
+struct Square
 {
-    lattice::GridSteps steps;
-    steps.cost = [](std::span<const lattice::Coordinate> offset) { return std::hypot(offset[0], offset[1]); };
-    lattice::Lattice lattice(std::make_unique<lattice::GridNeighbourhood>(lattice::GridBox{{0, 0}, {399, 399}}, steps));
-    lattice::GridHeuristic heuristic(lattice, {1.0, 1.0}, 2);
-    heuristic.addGoal({{350.0, 200.0}, {}});
-    LazyTree tree(lattice, heuristic);
-    const auto node = [&lattice](lattice::Coordinate x, lattice::Coordinate y)
+    Square() : lattice(std::make_unique<lattice::GridNeighbourhood>(lattice::GridBox{{0, 0}, {399, 399}}, steps()))
+    {
+        heuristic.addGoal({{350.0, 200.0}, {}});
+        tree.addGoal(node(350, 200));
+        tree.addStart(node(10, 120));
+    }
+
+    static lattice::GridSteps steps()
+    {
+        lattice::GridSteps steps;
+        steps.cost = [](std::span<const lattice::Coordinate> offset) { return std::hypot(offset[0], offset[1]); };
+        return steps;
+    }
+
+    lattice::NodeId node(lattice::Coordinate x, lattice::Coordinate y)
     {
         const lattice::Coordinate cell[] = {x, y};
         return lattice.node(cell);
-    };
-    tree.addGoal(node(350, 200));
-    tree.addStart(node(10, 120));
-    EXPECT_FALSE(tree.repair(100));  // in portions
-    EXPECT_EQ(tree.expansions(), 100U);
-    ASSERT_TRUE(tree.repair(kAnyNumber));
-    const std::uint64_t whole = tree.expansions();
+    }
+
+    lattice::Lattice lattice;
+    lattice::GridHeuristic heuristic{lattice, {1.0, 1.0}, 2};
+    LazyTree tree{lattice, heuristic};
+    std::vector<LazyTree::EdgeId> path;
+};
+
+TEST(LazyTree, OfEquallyShortPathsOneIsFollowed)
+{
+    Square square;
+    EXPECT_EQ(square.tree.repair(100), Repair::Unfinished);  // in portions
+    EXPECT_EQ(square.tree.expansions(), 100U);
+    ASSERT_EQ(square.tree.repair(kAnyNumber), Repair::Done);
+    ASSERT_TRUE(square.tree.findPath(square.path));
+    EXPECT_EQ(square.path.size(), 340U);
+    EXPECT_EQ(square.tree.expansions(), 341U);
+}
+
+TEST(LazyTree, AVerdictCostsFarLessThanTheTree)
+{
+    Square square;
+    for (lattice::Coordinate y = 0; y < 350; ++y)
+        square.tree.enter(CheckId::ofState(square.node(200, y)), false);
+    ASSERT_EQ(square.tree.repair(kAnyNumber), Repair::Done);
+    const std::uint64_t whole = square.tree.expansions();
     EXPECT_GT(whole, 10000U);
 
-    // Equally short paths abound: one closed cell is passed at little cost.
-    std::vector<LazyTree::EdgeId> path;
-    ASSERT_TRUE(tree.findPath(path));
-    tree.enter(CheckId::ofState(tree.to(path[path.size() / 2])), false);
-    ASSERT_TRUE(tree.repair(kAnyNumber));
-    EXPECT_LT(tree.expansions() - whole, whole / 10);
+    ASSERT_TRUE(square.tree.findPath(square.path));
+    square.tree.enter(CheckId::ofState(square.tree.to(square.path[20])), false);
+    ASSERT_EQ(square.tree.repair(kAnyNumber), Repair::Done);
+    EXPECT_LT(square.tree.expansions() - whole, whole / 100);
+}
+
+TEST(LazyTree, WhatIsDoubtfulIsAskedForBeforeWaysAreBuiltOnIt)
+{
+    Square square;
+    const lattice::NodeId doubtful = square.node(100, 120);  // on the one path that it would follow
+    square.tree.setDoubt([doubtful](lattice::NodeId node) { return node == doubtful; });
+    ASSERT_EQ(square.tree.repair(kAnyNumber), Repair::Doubtful);
+    EXPECT_EQ(square.tree.doubtful(), doubtful);
+    EXPECT_FALSE(square.tree.isPassed(doubtful));
+    EXPECT_TRUE(square.tree.isPassed(square.node(99, 120)));
+    EXPECT_FALSE(square.tree.isPassed(square.node(101, 120)));
+    square.tree.enter(CheckId::ofState(doubtful), true);
+    ASSERT_EQ(square.tree.repair(kAnyNumber), Repair::Done);
+    EXPECT_TRUE(square.tree.isPassed(doubtful));
+    EXPECT_EQ(square.tree.expansions(), 341U);
 }
 }  // namespace
 }  // namespace specplan::test

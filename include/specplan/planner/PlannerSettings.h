@@ -36,8 +36,8 @@ struct PlannerSettings
     bool barrier = false;
 
     /// When states and motions are checked (`evaluation`): "eager", as soon as an expansion meets them, which is A*; or
-    /// "lazy", once they lie on a path that may be the best, which needs fewer checks and more time of the search's
-    /// own. Lazily only for path length and goals that are states; the path is always optimal on the lattice.
+    /// "lazy", once they lie on a path that may be the best or border on an obstacle that was met, which needs fewer
+    /// checks and more time of the search's own. Lazily only for path length and goals that are states.
     std::string evaluation = "eager";
 
     /// Weight of the heuristic (`weight`), 1 to 1e9: the cost is at most this many times the lattice optimum. 0

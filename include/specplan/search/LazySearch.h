@@ -34,15 +34,19 @@ enum class Selector
 /// taken back. So the decisions, the path and its cost are the same whoever runs the checks, and whenever. The numbers
 /// in the comments of the body are those of docs/algorithm.md.
 ///
-/// Holds between calls: the heuristic is constant and consistent. The path is a shortest one of the lattice. There is
-/// no weight: weighted orders of repair were found to need more checks, see docs/algorithm.md.
+/// Where a state is doubtful, because one beside it is known to be invalid, it is checked before ways are built on it:
+/// so the search follows the edges of obstacles instead of running into them again and again.
+///
+/// Holds between calls: the heuristic is constant and consistent.
 ///
 /// Threads: one, the search thread.
 class LazySearch : public LatticeSearch, public validity::CheckSource
 {
 public:
     /// All references must outlive the search. Pass it to Broker::setSource to let it run ahead.
-    LazySearch(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker);
+    /// \param weight of the heuristic, at least 1: the path costs at most this many times the optimum.
+    LazySearch(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, validity::Broker& broker,
+               double weight = 1.0);
 
     /// To be set before the search starts.
     void setSelector(Selector selector) noexcept
@@ -143,8 +147,9 @@ private:
     {
         CheckId check;
         bool valid;
-        double probability;         ///< that the check is valid
-        LazyTree::Journal journal;  ///< all changes from this guess to the next
+        double probability;            ///< that the check is valid
+        std::vector<NodeId> suspects;  ///< before this guess
+        LazyTree::Journal journal;     ///< all changes from this guess to the next
     };
 
     enum class Plan
@@ -156,15 +161,19 @@ private:
     };
 
     [[nodiscard]] Plan plan(std::size_t budget);
+    [[nodiscard]] bool chooseSuspect();
+    void demandNext(CheckId check);
     void readPath();
     void choose();
     [[nodiscard]] std::size_t placeOf(const std::vector<CheckId>& unknown) const;
+    void suspectAround(NodeId node);
     void enter(CheckId check, bool valid);
     void commit(CheckId check, bool valid);
     void note(CheckId check, bool valid);
     void finish();
 
     // Running ahead.
+    [[nodiscard]] bool isLikely(CheckId check) const;
     void guess(double probability, bool valid);
     void takeBack(std::size_t first);
     [[nodiscard]] bool doubtPath();
@@ -183,8 +192,9 @@ private:
     std::vector<LazyTree::EdgeId> path_;  ///< last motion first
     std::vector<CheckId> unknownStates_;  ///< of path_, in its order
     std::vector<CheckId> unknownMotions_;
-    std::deque<Guess> guesses_;  ///< in order of deciding; what the search has demanded is off the list
-    bool stuck_ = false;         ///< the last guess takes more work than a guess is worth
+    std::vector<NodeId> suspects_;  ///< doubtful nodes that ways may lead through
+    std::deque<Guess> guesses_;     ///< in order of deciding; what the search has demanded is off the list
+    bool stuck_ = false;            ///< the last guess takes more work than a guess is worth
     std::uint64_t decisions_ = 0;
     std::uint64_t orderHash_ = 0;
     std::vector<NodeId> solution_;

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "specplan/lattice/Heuristic.h"
@@ -49,18 +51,46 @@ public:
     };
     using Journal = std::vector<Change>;
 
-    /// The references must outlive the tree.
-    LazyTree(lattice::Lattice& lattice, const lattice::Heuristic& heuristic);
+    /// The references must outlive the tree. The path is at most `weight` times as long as the shortest one; with a
+    /// weight above 1 no node is given a better way once others are built on it, unless it loses its own.
+    LazyTree(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, double weight = 1.0);
 
     void addStart(NodeId start);
     void addGoal(NodeId goal);
 
-    /// Goes on with the repair until the shortest path is known or `budget` nodes have been expanded.
-    /// \return whether it is known.
-    [[nodiscard]] bool repair(std::size_t budget);
+    /// Whether a state is to be checked before ways to others are built on it. Asked for unknown states; empty for
+    /// never.
+    void setDoubt(std::function<bool(NodeId)> doubt)
+    {
+        doubt_ = std::move(doubt);
+    }
 
-    /// After repair(): the motions of the shortest path, last one first. Of equally short paths it takes, going back
-    /// from the goal, the predecessor with the least coordinates.
+    enum class Repair
+    {
+        Done,        ///< the shortest path is known
+        Unfinished,  ///< `budget` nodes have been expanded
+        Doubtful     ///< doubtful() has to be checked first
+    };
+
+    /// Goes on with the repair.
+    [[nodiscard]] Repair repair(std::size_t budget);
+
+    /// The node whose state the repair waits for.
+    [[nodiscard]] NodeId doubtful() const noexcept
+    {
+        return open_.top().item;
+    }
+
+    /// Whether ways to other nodes may lead through this one.
+    [[nodiscard]] bool isPassed(NodeId node) const noexcept
+    {
+        return node < nodes_.size() && nodes_[node].g < kUnreached;
+    }
+
+    /// Whether a passed node is nearer to the start than another one. Never true for both orders.
+    [[nodiscard]] bool comesBefore(NodeId node, NodeId other) const;
+
+    /// After repair(): the motions of the shortest path, last one first.
     /// \return false if a motion turned out to be closed by what lies beside it: repair again.
     [[nodiscard]] bool findPath(std::vector<EdgeId>& path);
 
@@ -116,7 +146,7 @@ private:
     {
         double g = kUnreached;
         double rhs = kUnreached;
-        double h = -1.0;                  ///< negative: not asked yet
+        double h = -1.0;                  ///< weighted; negative: not asked yet
         std::uint64_t rank = 0;           ///< breaks ties on OPEN; from the coordinates
         std::uint64_t recorded = 0;       ///< journal that has this node's values
         EdgeId via = kNoEdge;             ///< the motion that rhs comes from
@@ -154,7 +184,7 @@ private:
     [[nodiscard]] bool isDone();
     void expand(NodeId node);
     void lose(NodeId node);
-    void doubt(NodeId node);
+    void forsake(NodeId node);
     void look(NodeId node);
     void set(NodeId node, double g, double rhs, EdgeId via);
     void place(NodeId node);
@@ -164,7 +194,7 @@ private:
     [[nodiscard]] bool isClosed(const Edge& edge) const noexcept;
     [[nodiscard]] double rounded(double cost) const noexcept;
     [[nodiscard]] EdgeId bestInto(NodeId node) const;
-    [[nodiscard]] bool comesBefore(EdgeId edge, EdgeId other) const;
+    [[nodiscard]] bool isPreferred(EdgeId edge, EdgeId other) const;
     template <typename Visit>
     void visitInto(NodeId node, Visit visit) const;
     void addInto(NodeId node, const Into::Motion& motion);
@@ -172,6 +202,7 @@ private:
 
     lattice::Lattice& lattice_;
     const lattice::Heuristic& heuristic_;
+    double weight_;
     double unit_ = 0.0;  ///< costs are multiples of it; 0 before the first start
     std::vector<Node> nodes_;
     std::vector<Edge> edges_;
@@ -183,10 +214,11 @@ private:
     NodeId nearestGoal_ = lattice::kNoNode;
     bool goalsChanged_ = true;
     util::OpenList open_;
+    std::function<bool(NodeId)> doubt_;
     Journal* journal_ = nullptr;
     std::uint64_t journals_ = 0;
     std::uint64_t expansions_ = 0;
-    std::vector<NodeId> lost_;        ///< scratch of lose()
+    std::vector<NodeId> lost_;        ///< nodes that may have lost their way and not looked for another one
     lattice::Successors successors_;  ///< scratch of connect()
 };
 }  // namespace specplan::search

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
 #include "specplan/speculation/NearbyVerdicts.h"
 #include "specplan/speculation/Predictor.h"
 
@@ -11,7 +14,8 @@ class NearbyPredictor : public OptimisticPredictor
 {
 public:
     /// \param lattice must outlive the predictor.
-    explicit NearbyPredictor(lattice::Lattice& lattice) : nearby_(lattice)
+    explicit NearbyPredictor(lattice::Lattice& lattice)
+        : nearby_(lattice), leastInvalid_(std::max(1U, lattice.maxSteps() / 8))
     {
     }
 
@@ -20,6 +24,13 @@ public:
         // As if two valid states had been seen besides, and a tenth of an invalid one: nothing is certain.
         const NearbyVerdicts::Counts counts = nearby_.around(node);
         return (counts.valid + 2.0) / (counts.valid + counts.invalid + 2.1);
+    }
+
+    /// Whether so many of the state's neighbours are invalid that an obstacle may well go on here: an eighth of them,
+    /// as at the end of a thin wall, and not far fewer than valid ones.
+    [[nodiscard]] bool isDoubtful(lattice::NodeId node) const
+    {
+        return nearby_.around(node).invalid >= leastInvalid_ && probabilityValid(node) < kSure;
     }
 
     void learned(lattice::NodeId node, bool valid) override
@@ -34,6 +45,10 @@ public:
     }
 
 private:
+    /// A state that is likelier to be valid than this is not doubtful.
+    static constexpr double kSure = 0.9;
+
     NearbyVerdicts nearby_;
+    std::uint32_t leastInvalid_;  ///< neighbours that make a state doubtful
 };
 }  // namespace specplan::speculation
