@@ -79,7 +79,7 @@ void addSearchOptions(CLI::App& app, CommonOptions& options, RawOptions& raw)
     app.add_option("--executor", planner.executor, "threads|virtual: real threads, or a simulated clock")
         ->check(CLI::IsMember({"threads", "virtual"}))
         ->capture_default_str();
-    app.add_option("--time-limit", raw.timeLimit, "Stop each search after this time, such as 10s")->type_name("TIME");
+    app.add_option("--time-limit", raw.timeLimit, "Stop each search after this time, such as 10s [a .cfg's own]")->type_name("TIME");
     app.add_flag("--json", options.json, "Print one JSON object and nothing else");
 }
 
@@ -165,6 +165,8 @@ int run(int argc, char** argv)
         ->check(CLI::IsMember(speculationPolicies()))
         ->capture_default_str();
     addSearchOptions(*planApp, planOptions, raw);
+    planApp->add_flag("--anytime", planOptions.anytime,
+                      "Go on after the first path until the time limit: smaller weights, then finer lattices");
     planApp
         ->add_flag("--explain", planOptions.explain,
                    "Search nothing; tell the lattice that would be searched: axes, steps, size, checks, goals")

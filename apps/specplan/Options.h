@@ -30,6 +30,7 @@ struct CommonOptions
     PlannerSettings planner;
     problems::ArtificialCheck check;
     std::optional<std::chrono::nanoseconds> timeLimit;
+    bool anytime = false;  ///< go on after the first path
     bool json = false;
 };
 

@@ -16,6 +16,13 @@
 
 namespace specplan::command
 {
+/// A path that was better than those before it.
+struct Improvement
+{
+    double seconds;  ///< since the search began
+    double cost;
+};
+
 /// One finished search.
 struct Run
 {
@@ -27,6 +34,7 @@ struct Run
     std::shared_ptr<ompl::geometric::SimpleSetup> setup;  ///< likewise
     std::vector<std::vector<double>> expanded;            ///< in order, if asked for; as numbers (copyToReals)
     std::vector<std::vector<double>> path;                ///< empty if there is none
+    std::vector<Improvement> improvements;                ///< of an anytime search, in order
 
     /// Seconds from start to end on the clock of the executor.
     [[nodiscard]] double seconds() const
@@ -40,7 +48,9 @@ struct Run
     }
 };
 
-/// Plans once. The search stops early at the time limit, or when the user interrupts the program.
+/// Plans once: until there is a path, on finer lattices too where the problem leaves the lattice to the planner; further
+/// with `anytime`. The search stops early at the time limit (of the options, else of the problem's file), or when the
+/// user interrupts the program.
 /// \param keepOrder whether to note the expanded states.
 [[nodiscard]] Run planOnce(const Problem& problem, const CommonOptions& options, const PlannerSettings& settings,
                            bool keepOrder);
