@@ -41,6 +41,9 @@ struct PlanOptions : CommonOptions
     std::string svgFile;
     std::string traceFile;
     std::string pathFile;
+    std::vector<unsigned> predict;  ///< numbers of workers to predict the time for; empty: none
+    std::string csvFile;            ///< of the predictions
+    std::string plotFile;           ///< of the predictions
 };
 
 struct BenchmarkOptions

@@ -3,8 +3,10 @@
 
 #include <csignal>
 #include <limits>
+#include <stdexcept>
 
 #include "Progress.h"
+#include "specplan/problems/InputError.h"
 #include "specplan/problems/PlannerCatalog.h"
 
 namespace specplan::command
@@ -73,18 +75,20 @@ bool interrupted()
     return interruptSignals != 0;
 }
 
-Run planOnce(const Problem& problem, const CommonOptions& options, const PlannerSettings& settings, bool keepOrder)
+Run planOnce(const Problem& problem, const CommonOptions& options, const PlannerSettings& settings, bool keepOrder,
+             const std::shared_ptr<planner::CheckTrace>& trace)
 {
     Run run;
     run.problem = problem.name();
     run.settings = settled(problem, options, settings);
     if (options.check.duration.count() > 0)
         run.settings.virtualCheckCost = std::chrono::duration<double>(options.check.duration).count();
-    // On the virtual clock checks take no real time.
-    const bool simulated = settings.executor == "virtual";
+    // On the virtual clock checks take no real time, unless they have to be measured.
+    const bool simulated = settings.executor == "virtual" && !trace;
     run.setup = problem.makeSetup(simulated ? problems::ArtificialCheck{} : options.check);
     run.planner = std::make_shared<SpeculativeAStar>(run.setup->getSpaceInformation(), run.settings);
     run.setup->setPlanner(run.planner);
+    run.planner->setCheckTrace(trace);
     if (keepOrder)
         run.planner->setExpansionObserver(
             [&run](const ob::State* state)
@@ -106,6 +110,18 @@ Run planOnce(const Problem& problem, const CommonOptions& options, const Planner
     if (run.solved())
         notePath(run);
     return run;
+}
+
+void compare(Run& run, const Run& baseline)
+{
+    run.report.sequentialTime = baseline.seconds();
+    run.report.speedup = run.seconds() > 0.0 ? baseline.seconds() / run.seconds() : 1.0;
+    run.report.efficiency = run.report.speedup / run.report.threads;
+    const bool whole = run.report.status != "timeout" && baseline.report.status != "timeout";
+    if (whole && run.report.orderHash != baseline.report.orderHash)
+        throw std::logic_error(problems::concat(run.problem, ": ", run.settings.speculationPolicy, " with ",
+                                                run.report.threads, " threads expanded other states than sequential "
+                                                                    "A*; please report this"));
 }
 
 void explain(const Problem& problem, const CommonOptions& options, std::ostream& out)

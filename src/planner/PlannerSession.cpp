@@ -16,7 +16,7 @@
 #include "specplan/planner/OmplCompat.h"
 #include "specplan/util/Hash.h"
 #include "specplan/validity/InlineExecutor.h"
-#include "specplan/validity/RunCheck.h"
+#include "specplan/validity/RunningClock.h"
 #include "specplan/validity/SimulatedPool.h"
 #include "specplan/validity/ThreadPoolExecutor.h"
 #include "specplan/validity/VirtualExecutor.h"
@@ -132,7 +132,9 @@ std::unique_ptr<validity::Executor> PlannerSession::makeExecutor(unsigned thread
     {
         validity::SimulatedPool::Timing timing;
         timing.ofCheck = [this](CheckId, bool) { return tracer->lastSeconds(); };
-        timing.ofSearch = [known = trace] { return known->pace() * validity::steadySeconds(); };
+        const auto clock = std::make_shared<validity::RunningClock>();
+        timing.ofSearch = [clock] { return clock->seconds(); };
+        timing.afterCheck = trace->afterCheck();
         return std::make_unique<validity::SimulatedPool>(first, threads, std::move(timing));
     }
     if (settings.executor == "virtual")

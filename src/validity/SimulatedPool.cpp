@@ -48,9 +48,7 @@ double SimulatedPool::now() const noexcept
 Completion SimulatedPool::runHere(CheckId check)
 {
     const Call call(*this);
-    Completion completion = run(check);
-    advanceTo(now_ + completion.seconds);
-    return completion;
+    return runInSearchThread(check);
 }
 
 unsigned SimulatedPool::freeWorkers() const noexcept
@@ -110,12 +108,7 @@ void SimulatedPool::collect(std::vector<Completion>& out, std::chrono::milliseco
     if (finished_.empty() && patience.count() > 0)
     {
         if (searchThreadWorks() && !(demanded_.empty() && speculative_.empty()))
-        {
-            Completion completion = run(popQueue());
-            const double end = now_ + completion.seconds;
-            out.push_back(std::move(completion));
-            advanceTo(end);
-        }
+            out.push_back(runInSearchThread(popQueue()));
         else
             waitForResult();
     }
@@ -176,6 +169,13 @@ Completion SimulatedPool::run(CheckId check)
     Completion completion = runCheck(checker_, check, 0);
     completion.seconds = std::max(timing_.ofCheck(check, completion.valid), 0.0);
     mean_.add(completion.seconds);
+    return completion;
+}
+
+Completion SimulatedPool::runInSearchThread(CheckId check)
+{
+    Completion completion = run(check);
+    advanceTo(now_ + completion.seconds + timing_.afterCheck);
     return completion;
 }
 

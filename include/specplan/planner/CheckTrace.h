@@ -37,16 +37,16 @@ public:
         return entries_.size();
     }
 
-    /// Seconds of the search's own work for each second that it takes in a run without checks. Between checks, which
-    /// leave their own data in the processor's caches, the same work takes longer.
-    [[nodiscard]] double pace() const noexcept
+    /// Seconds that the search's own work takes longer after each check in its thread than it would without: the check
+    /// leaves its own data in the processor's caches, or lets the processor fall asleep.
+    [[nodiscard]] double afterCheck() const noexcept
     {
-        return pace_;
+        return afterCheck_;
     }
 
-    void setPace(double pace) noexcept
+    void setAfterCheck(double seconds) noexcept
     {
-        pace_ = pace;
+        afterCheck_ = seconds;
     }
 
 private:
@@ -61,6 +61,6 @@ private:
     [[nodiscard]] static Key keyOf(const lattice::Lattice& lattice, lattice::CheckId check);
 
     std::unordered_map<Key, Entry, Hash> entries_;
-    double pace_ = 1.0;
+    double afterCheck_ = 0.0;
 };
 }  // namespace specplan::planner

@@ -34,6 +34,9 @@ public:
         /// Of the search thread, for handing a check to another thread and taking it back.
         double handOver = 0.5e-6;
 
+        /// Of the search thread, for finding its way back into its own work after a check that it has run itself.
+        double afterCheck = 0.0;
+
         /// Until a thread that sleeps goes on.
         double wake = 15e-6;
     };
@@ -110,6 +113,7 @@ private:
     void advanceTo(double time);
     void begin(double time);
     [[nodiscard]] Completion run(CheckId check);
+    [[nodiscard]] Completion runInSearchThread(CheckId check);
     [[nodiscard]] CheckId popQueue();
 
     Checker& checker_;
