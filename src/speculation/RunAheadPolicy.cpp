@@ -111,6 +111,7 @@ void RunAheadPolicy::missed()
     nodes_.clear();
     open_.clear();
     pending_ = {};
+    detours_.clear();
 }
 
 void RunAheadPolicy::follow(NodeId id)
@@ -162,9 +163,13 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
         return;
     Node& end = touch(edge.node);
     const double g = sum_(nodes_[from].g, costOf(edge));
-    if (!(g < end.g) || (end.status == Status::Closed && !wouldComeFirst(nodes_[from], end)))
-        return;
     const CheckId state = CheckId::ofState(edge.node);
+    if (!(g < end.g) || (end.status == Status::Closed && !wouldComeFirst(nodes_[from], end)))
+    {
+        if (edge.inner > 0 && isTakenBeforeParent(from, end) && g < frontier_.costToCome(edge.node))
+            noteDetour(from, edge, g);
+        return;
+    }
     const Verdict verdict = broker_.verdict(state);
     if (verdict == Verdict::Invalid)
         return;
@@ -173,6 +178,8 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
     const double ofMotion = checkMotion(from, edge, verdict == Verdict::Valid);
     if (ofMotion == 0.0)
         return;
+    if (end.inner == Inner::One && end.parent != from && end.parent != lattice::kNoNode)
+        detours_[edge.node].push_back({end.motion, end.parent, end.g});
     noteStep(sum_(g, end.h) - estimateThrough(nodes_[from]));
     end.g = g;
     end.parent = from;
@@ -189,6 +196,39 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
         nodes_[from].delay + delayFor(static_cast<double>(end.ofState)) + delayFor(static_cast<double>(end.ofMotion));
     end.status = Status::Open;
     push(edge.node);
+}
+
+/// Whether the search comes to `from` before it comes to the parent of `end`, the better way.
+bool RunAheadPolicy::isTakenBeforeParent(NodeId from, const Node& end) const
+{
+    return end.parent != lattice::kNoNode && !frontier_.isExpanded(end.parent) &&
+           wouldComeFirst(nodes_[from], nodes_[end.parent]) && !descends(from, end.parent);
+}
+
+/// Whether the shadow's way to `node` leads through `ancestor`, or is it.
+bool RunAheadPolicy::descends(NodeId node, NodeId ancestor) const
+{
+    const std::uint64_t closed = nodes_[ancestor].closedAs;
+    while (node != ancestor && node != lattice::kNoNode && nodes_[node].closedAs > closed)
+        node = nodes_[node].parent;
+    return node == ancestor;
+}
+
+/// The search checks a motion as soon as it is the best way so far, though a better one is to come, and so must we.
+void RunAheadPolicy::noteDetour(NodeId from, const lattice::Successors::Edge& edge, double g)
+{
+    const Verdict verdict = broker_.verdict(CheckId::ofState(edge.node));
+    const auto inner = successors_.innerOf(edge);
+    if (verdict == Verdict::Invalid || inner.size() != 1 || !inner.front().isMotion())
+        return;
+    std::vector<Detour>& detours = detours_[edge.node];
+    for (const Detour& other : detours)
+        if (other.g <= g && isClosed(other.from) &&
+            (other.from == from || wouldComeFirst(nodes_[other.from], nodes_[from])))
+            return;
+    detours.push_back({inner.front(), from, g});
+    if (verdict == Verdict::Valid && broker_.verdict(inner.front()) == Verdict::Unknown)
+        emit(inner.front(), from);
 }
 
 /// What a motion costs, as far as that is known.
@@ -284,6 +324,12 @@ void RunAheadPolicy::confirmState(NodeId id)
     nodes_[id].ofState = 1.0F;
     raise(id, known);
     emitMotionTo(id);
+    const auto found = detours_.find(id);
+    if (found == detours_.end())
+        return;
+    for (const Detour& detour : found->second)
+        if (isClosed(detour.from) && broker_.verdict(detour.check) == Verdict::Unknown)
+            emit(detour.check, detour.from);
 }
 
 void RunAheadPolicy::confirmMotion(NodeId id)

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <queue>
+#include <unordered_map>
 #include <vector>
 
 #include "specplan/lattice/Lattice.h"
@@ -95,6 +96,14 @@ private:
         }
     };
 
+    /// A check of a way to a node that is not the best one; worth its while once the node is known to be valid.
+    struct Detour
+    {
+        lattice::CheckId check;
+        lattice::NodeId from;
+        double g;  ///< of the node, this way
+    };
+
     // Keeping up with the search.
     void synchronise();
     void importFrontier();
@@ -105,6 +114,9 @@ private:
     void relaxFrom(lattice::NodeId node);
     void relax(lattice::NodeId from, const lattice::Successors::Edge& edge);
     [[nodiscard]] double checkMotion(lattice::NodeId from, const lattice::Successors::Edge& edge, bool endIsValid);
+    [[nodiscard]] bool descends(lattice::NodeId node, lattice::NodeId ancestor) const;
+    [[nodiscard]] bool isTakenBeforeParent(lattice::NodeId from, const Node& end) const;
+    void noteDetour(lattice::NodeId from, const lattice::Successors::Edge& edge, double g);
     void push(lattice::NodeId id);
     void emit(lattice::CheckId check, lattice::NodeId from);
 
@@ -147,7 +159,8 @@ private:
     std::uint64_t pushes_ = 0;
     std::uint64_t expansions_ = 0;
     std::priority_queue<Pending, std::vector<Pending>, std::greater<>> pending_;
-    std::vector<lattice::NodeId> subtree_;  ///< scratch
+    std::unordered_map<lattice::NodeId, std::vector<Detour>> detours_;  ///< to nodes that are not known to be valid
+    std::vector<lattice::NodeId> subtree_;                              ///< scratch
     std::vector<lattice::NodeId> rim_;      ///< scratch
     lattice::Successors successors_;        ///< scratch
     lattice::Successors around_;            ///< scratch
