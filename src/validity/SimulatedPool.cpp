@@ -60,7 +60,7 @@ unsigned SimulatedPool::room() const noexcept
 {
     if (runsInline())
         return 0;
-    const std::size_t most = PoolRules::mostInHand(workers_, searchThreadWorks(), mean_.seconds());
+    const std::size_t most = PoolRules::mostInHand(workers_, searchThreadWorks(), durations_);
     return inHand() < most ? static_cast<unsigned>(most - inHand()) : 0;
 }
 
@@ -168,7 +168,7 @@ Completion SimulatedPool::run(CheckId check)
 {
     Completion completion = runCheck(checker_, check, 0);
     completion.seconds = std::max(timing_.ofCheck(check, completion.valid), 0.0);
-    mean_.add(completion.seconds);
+    durations_.add(completion.seconds);
     return completion;
 }
 

@@ -82,7 +82,7 @@ bool ThreadPoolExecutor::searchThreadWorks() const noexcept
 
 unsigned ThreadPoolExecutor::room() const noexcept
 {
-    const std::size_t wanted = PoolRules::mostInHand(usedWorkers(), searchThreadWorks(), mean_.seconds());
+    const std::size_t wanted = PoolRules::mostInHand(usedWorkers(), searchThreadWorks(), durations_);
     return inHand_ < wanted ? static_cast<unsigned>(wanted - inHand_) : 0;
 }
 
@@ -190,7 +190,7 @@ void ThreadPoolExecutor::learn(const Completion& completion)
         busyChecks_.add(completion.busyShare > kBusyShare);
         setThreadLimit(usedWorkers() - (searchThreadWorks() ? 1 : 0));
     }
-    mean_.add(completion.seconds);
+    durations_.add(completion.seconds);
 }
 
 void ThreadPoolExecutor::setThreadLimit(unsigned limit)

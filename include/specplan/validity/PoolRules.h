@@ -2,11 +2,44 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace specplan::validity
 {
+/// Running averages of the durations of checks.
+class Durations
+{
+public:
+    void add(double seconds) noexcept
+    {
+        const double share = none_ ? 1.0 : kUpdate;
+        mean_ += (seconds - mean_) * share;
+        meanSquare_ += (seconds * seconds - meanSquare_) * share;
+        none_ = false;
+    }
+
+    /// Seconds; 1 as long as nothing is known.
+    [[nodiscard]] double mean() const noexcept
+    {
+        return mean_;
+    }
+
+    /// How many average checks fit into the one that runs at some moment, on average: 1 if all take the same, more if
+    /// there are long ones among short ones.
+    [[nodiscard]] double spread() const noexcept
+    {
+        return mean_ > 0.0 ? std::max(meanSquare_ / (mean_ * mean_), 1.0) : 1.0;
+    }
+
+private:
+    /// Share of the newest check.
+    static constexpr double kUpdate = 0.05;
+
+    double mean_ = 1.0;
+    double meanSquare_ = 1.0;
+    bool none_ = true;
+};
+
 /// How a pool of workers goes about its work: what ThreadPoolExecutor does and SimulatedPool predicts.
 struct PoolRules
 {
@@ -19,42 +52,20 @@ struct PoolRules
     /// What the supply of queued checks has to bridge: the time that the search may take until it hands out more.
     static constexpr double kSupplySeconds = 40e-6;
 
-    /// Share of the newest check in the average duration.
-    static constexpr double kAverageUpdate = 0.05;
-
     [[nodiscard]] static constexpr bool searchThreadWorks(unsigned workers) noexcept
     {
         return workers > 1 && workers <= kFewWorkers;
     }
 
-    /// Checks that may be in hand. A search thread that works comes back after a check: until then the others live on
-    /// the supply. \param meanSeconds duration of a check.
-    [[nodiscard]] static std::size_t mostInHand(unsigned workers, bool searchThreadWorks, double meanSeconds) noexcept
+    /// Checks that may be in hand: one for each worker and a supply. A search thread that works comes back after a
+    /// check, and until then the others live on the supply; the more so where it may be a long one and theirs are short.
+    [[nodiscard]] static std::size_t mostInHand(unsigned workers, bool searchThreadWorks,
+                                                const Durations& durations) noexcept
     {
-        const double supply =
-            std::floor(std::clamp(workers * kSupplySeconds / std::max(meanSeconds, 1e-9), 0.0, 4.0 * workers));
-        return workers + std::max(searchThreadWorks ? workers : 0U, static_cast<unsigned>(supply));
+        constexpr double kMostSpread = 8.0;
+        const double aCheck = searchThreadWorks ? std::min(2.0 * durations.spread() - 1.0, kMostSpread) : 0.0;
+        const double aThought = std::min(kSupplySeconds / std::max(durations.mean(), 1e-9), 4.0);
+        return workers + static_cast<std::size_t>(workers * std::max(aCheck, aThought));
     }
-};
-
-/// Running average of the durations of checks.
-class MeanDuration
-{
-public:
-    void add(double seconds) noexcept
-    {
-        seconds_ = none_ ? seconds : seconds_ + (seconds - seconds_) * PoolRules::kAverageUpdate;
-        none_ = false;
-    }
-
-    /// 1 as long as nothing is known.
-    [[nodiscard]] double seconds() const noexcept
-    {
-        return seconds_;
-    }
-
-private:
-    double seconds_ = 1.0;
-    bool none_ = true;
 };
 }  // namespace specplan::validity

@@ -96,7 +96,7 @@ private:
 
     // Search thread only.
     std::size_t inHand_ = 0;   ///< submitted and not collected
-    MeanDuration mean_;        ///< of a check
+    Durations durations_;      ///< of checks
     MajorityVote busyChecks_;  ///< whether checks keep a processor busy
     InlineRunner runner_;
     std::vector<std::thread> threads_;
