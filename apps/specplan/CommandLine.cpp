@@ -80,7 +80,8 @@ void addSearchOptions(CLI::App& app, CommonOptions& options, RawOptions& raw)
     app.add_option("--executor", planner.executor, "threads|virtual: real threads, or a simulated clock")
         ->check(CLI::IsMember({"threads", "virtual"}))
         ->capture_default_str();
-    app.add_option("--time-limit", raw.timeLimit, "Stop each search after this time, such as 10s [a .cfg's own]")->type_name("TIME");
+    app.add_option("--time-limit", raw.timeLimit, "Stop each search after this time, such as 10s [a .cfg's own]")
+        ->type_name("TIME");
     app.add_flag("--json", options.json, "Print one JSON object and nothing else");
 }
 
@@ -158,10 +159,10 @@ int run(int argc, char** argv)
     CLI::App* planApp = app.add_subcommand("plan", "Solve one problem");
     addProblemOptions(*planApp, planOptions.problem, raw);
     CLI::Option* threads = planApp
-        ->add_option("--threads", planOptions.planner.numThreads,
-                     "Checks at once; 0: number of cores, 1: sequential A*")
-        ->check(CLI::Range(0U, 4096U))
-        ->capture_default_str();
+                               ->add_option("--threads", planOptions.planner.numThreads,
+                                            "Checks at once; 0: number of cores, 1: sequential A*")
+                               ->check(CLI::Range(0U, 4096U))
+                               ->capture_default_str();
     planApp->add_option("--policy", planOptions.planner.speculationPolicy, "What to check ahead")
         ->check(CLI::IsMember(speculationPolicies()))
         ->capture_default_str();
@@ -192,8 +193,11 @@ int run(int argc, char** argv)
         ->type_name("FILE")
         ->needs(predict);
     planApp->add_option("--svg", planOptions.svgFile, "Draw the search")->type_name("FILE");
-    planApp->add_option("--trace", planOptions.traceFile, "Write the search as JSON: map, order of expansions, path; or, where FILE ends in .csv, its checks: what "
-                     "each one found and how long it took")
+    planApp
+        ->add_option(
+            "--trace", planOptions.traceFile,
+            "Write the search as JSON: map, order of expansions, path; or, where FILE ends in .csv, its checks: what "
+            "each one found and how long it took")
         ->type_name("FILE");
     planApp->add_option("--path", planOptions.pathFile, "Write the path, one state a line")->type_name("FILE");
 

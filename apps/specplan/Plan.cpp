@@ -32,8 +32,9 @@ void requireOutputs(const PlanOptions& options)
     if (!options.plotFile.empty())
         requireGnuplot();
     if (wantsChecks(options) && !options.planWith.empty())
-        throw problems::InputError("--trace: expected a name that does not end in .csv with --planner, whose checks "
-                                   "are not known");
+        throw problems::InputError(
+            "--trace: expected a name that does not end in .csv with --planner, whose checks "
+            "are not known");
 }
 
 Run search(const Problem& problem, const PlanOptions& options, const std::shared_ptr<planner::CheckTrace>& trace)
@@ -102,7 +103,7 @@ int plan(const PlanOptions& options, std::ostream& out)
     std::vector<Run> predictions;
     if (!options.predict.empty())
         predictions = predict(*problem, options, run, trace);
-    if (!options.csvFile.empty())
+    if (!options.csvFile.empty() && !predictions.empty())
         problems::writeFile(options.csvFile, [&](std::ostream& file) { writeCsv(file, predictions); });
     if (!options.plotFile.empty() && !predictions.empty())
         plotSpeedup(options.plotFile, predictions);

@@ -137,8 +137,8 @@ void printRun(std::ostream& out, const Run& run)
                           ", weight ", run.report.weight,
                           report.refinements > 0 ? concat(", spacing halved ", timesText(report.refinements)) : ""));
     for (const Improvement& improvement : run.improvements)
-        line("path", concat("cost ", std::setprecision(9), improvement.cost, " after ",
-                            durationText(improvement.seconds)));
+        line("path",
+             concat("cost ", std::setprecision(9), improvement.cost, " after ", durationText(improvement.seconds)));
     line("expansions", concat(report.expansions, ", order ", hashText(report.orderHash)));
     line("checks used", concat(report.checksUsed, " of ", report.checksTotal, " run"));
     if (report.speculativeChecks > 0)

@@ -120,8 +120,9 @@ void compare(Run& run, const Run& baseline)
     const bool whole = run.report.status != "timeout" && baseline.report.status != "timeout";
     if (whole && run.report.orderHash != baseline.report.orderHash)
         throw std::logic_error(problems::concat(run.problem, ": ", run.settings.speculationPolicy, " with ",
-                                                run.report.threads, " threads expanded other states than sequential "
-                                                                    "A*; please report this"));
+                                                run.report.threads,
+                                                " threads expanded other states than sequential "
+                                                "A*; please report this"));
 }
 
 void explain(const Problem& problem, const CommonOptions& options, std::ostream& out)

@@ -48,11 +48,10 @@ struct Run
     }
 };
 
-/// Plans once: until there is a path, on finer lattices too where the problem leaves the lattice to the planner; further
-/// with `anytime`. The search stops early at the time limit (of the options, else of the problem's file), or when the
-/// user interrupts the program.
-/// \param keepOrder whether to note the expanded states. \param trace kept, or replayed on the virtual clock, as
-/// SpeculativeAStar::setCheckTrace says; empty for none.
+/// Plans once: until there is a path, on finer lattices too where the problem leaves the lattice to the planner;
+/// further with `anytime`. The search stops early at the time limit (of the options, else of the problem's file), or
+/// when the user interrupts the program. \param keepOrder whether to note the expanded states. \param trace kept, or
+/// replayed on the virtual clock, as SpeculativeAStar::setCheckTrace says; empty for none.
 [[nodiscard]] Run planOnce(const Problem& problem, const CommonOptions& options, const PlannerSettings& settings,
                            bool keepOrder, const std::shared_ptr<planner::CheckTrace>& trace = {});
 

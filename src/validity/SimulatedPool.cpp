@@ -64,18 +64,13 @@ unsigned SimulatedPool::room() const noexcept
     return inHand() < most ? static_cast<unsigned>(most - inHand()) : 0;
 }
 
-/// Whether as many have finished by now as are queued, and one more: each of those that finish takes another one.
+/// Whether something has finished by now, and at least as many as are queued: each that finishes takes another one.
 bool SimulatedPool::runsDry() const noexcept
 {
-    if (finished_.empty() && running_.empty())
-        return false;
-    const std::size_t queued = demanded_.size() + speculative_.size();
-    if (queued == 0 && !finished_.empty())
-        return true;
     const double time = now();
-    const auto over =
-        std::ranges::count_if(running_, [time](const Running& running) { return running.end <= time; });
-    return static_cast<std::size_t>(over) >= std::max<std::size_t>(queued, 1);
+    const auto over = static_cast<std::size_t>(
+        std::ranges::count_if(running_, [time](const Running& running) { return running.end <= time; }));
+    return finished_.size() + over > 0 && over >= demanded_.size() + speculative_.size();
 }
 
 void SimulatedPool::submit(CheckId check, Urgency urgency)

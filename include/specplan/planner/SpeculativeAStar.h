@@ -21,7 +21,7 @@ namespace planner
 {
 class CheckTrace;
 class PlannerSession;
-}
+}  // namespace planner
 
 /// A* on a lattice over an OMPL state space, with the validity checks that it is about to need run ahead in parallel.
 ///
@@ -114,10 +114,10 @@ public:
     /// Calls `visit` for every lattice state that was expanded or checked; the state is valid during the call only.
     void visitStates(const std::function<void(const ompl::base::State* state, StateFate fate)>& visit) const;
 
-    /// From the next solve() on, which starts afresh, keeps what each check finds and how long it takes in this trace; an
-    /// empty one is for none. On the virtual clock a trace is replayed instead: what it knows is not checked again, what
-    /// it does not know is checked once, and the clock tells what that many threads would take on as many processors,
-    /// the search's own work included. `virtual_check_cost` means nothing then.
+    /// From the next solve() on, which starts afresh, keeps what each check finds and how long it takes in this trace;
+    /// an empty one is for none. On the virtual clock a trace is replayed instead: what it knows is not checked again,
+    /// what it does not know is checked once, and the clock tells what that many threads would take on as many
+    /// processors, the search's own work included. `virtual_check_cost` means nothing then.
     void setCheckTrace(std::shared_ptr<planner::CheckTrace> trace);
 
     /// One check that has run.

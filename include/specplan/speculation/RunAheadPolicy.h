@@ -161,8 +161,8 @@ private:
     std::priority_queue<Pending, std::vector<Pending>, std::greater<>> pending_;
     std::unordered_map<lattice::NodeId, std::vector<Detour>> detours_;  ///< to nodes that are not known to be valid
     std::vector<lattice::NodeId> subtree_;                              ///< scratch
-    std::vector<lattice::NodeId> rim_;      ///< scratch
-    lattice::Successors successors_;        ///< scratch
-    lattice::Successors around_;            ///< scratch
+    std::vector<lattice::NodeId> rim_;                                  ///< scratch
+    lattice::Successors successors_;                                    ///< scratch
+    lattice::Successors around_;                                        ///< scratch
 };
 }  // namespace specplan::speculation

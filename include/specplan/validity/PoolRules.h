@@ -58,7 +58,8 @@ struct PoolRules
     }
 
     /// Checks that may be in hand: one for each worker and a supply. A search thread that works comes back after a
-    /// check, and until then the others live on the supply; the more so where it may be a long one and theirs are short.
+    /// check, and until then the others live on the supply; the more so where it may be a long one and theirs are
+    /// short.
     [[nodiscard]] static std::size_t mostInHand(unsigned workers, bool searchThreadWorks,
                                                 const Durations& durations) noexcept
     {
