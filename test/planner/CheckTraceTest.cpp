@@ -76,12 +76,18 @@ TEST(CheckTrace, ClearanceOfMotionsIsKeptToo)
     Scene scene;
     const auto objective = std::make_shared<ob::MaximizeMinClearanceObjective>(scene.setup.getSpaceInformation());
     scene.setup.setOptimizationObjective(objective);
-    const auto trace = std::make_shared<CheckTrace>();
-    const SearchReport recorded = solved(scene, settings(1, "threads"), trace);
-    const SearchReport replayed = solved(scene, settings(1, "virtual"), trace);
-    EXPECT_LE(scene.calls, 2);
-    EXPECT_EQ(replayed.cost, recorded.cost);
-    EXPECT_EQ(replayed.orderHash, recorded.orderHash);
+    for (const bool inChecks : {true, false})
+    {
+        const auto trace = std::make_shared<CheckTrace>();
+        PlannerSettings how = settings(1, "threads");
+        how.objectiveInChecks = inChecks;
+        const SearchReport recorded = solved(scene, how, trace);
+        how.executor = "virtual";
+        const SearchReport replayed = solved(scene, how, trace);
+        EXPECT_LE(scene.calls, 2);
+        EXPECT_EQ(replayed.cost, recorded.cost);
+        EXPECT_EQ(replayed.orderHash, recorded.orderHash);
+    }
 }
 
 TEST(CheckTrace, TellsEachCheckInOrder)
