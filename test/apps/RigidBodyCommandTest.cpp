@@ -69,14 +69,15 @@ TEST_F(RigidBodyCommand, PlanWritesPictureTraceAndPath)
 
 TEST_F(RigidBodyCommand, PlanRefinesUntilThereIsAPath)
 {
-    // A door hardly wider than the robot, between two lines of the first lattice and too short a way for its steps.
-    problems::Mesh room = boxMesh({4.9, -0.2, 0.0}, {5.1, 2.84, 3.0});
-    problems::addBox(room, {4.9, 3.26, 0.0}, {5.1, 10.2, 3.0});
+    // A door hardly wider than the robot, halfway between two lines of the first lattice, which is 0.177 wide.
+    problems::Mesh room = boxMesh({4.9, -0.2, 0.0}, {5.1, 2.99, 3.0});
+    problems::addBox(room, {4.9, 3.41, 0.0}, {5.1, 10.2, 3.0});
     problems::addBox(room, {-0.2, -0.4, 0.0}, {10.2, -0.2, 3.0});
     problems::addBox(room, {-0.2, 10.2, 0.0}, {10.2, 10.4, 3.0});
     problems::writeObj(room_.folder / "room.obj", room);
-    const std::string narrow = problem(replaced(RoomFolder::planar(), "time_limit = 2", "time_limit = 120") +
-                                       "[problem]\nlongest_valid_segment_fraction = 0.001\n");
+    const std::string narrow = problem(
+        "[problem]\nrobot = robot.obj\nworld = room.obj\nlongest_valid_segment_fraction = 0.005\n"
+        "start.x = 2\nstart.y = 4\nstart.theta = 0\ngoal.x = 8\ngoal.y = 4\ngoal.theta = 0\n");
     const nlohmann::json found = call("plan " + narrow + " --json --threads 1").json();
     EXPECT_EQ(found["status"], "solved");
     EXPECT_GE(found["refinements"], 1);
@@ -98,7 +99,7 @@ TEST_F(RigidBodyCommand, TheFilesTimeLimitIsThatOfPlan)
 
 TEST_F(RigidBodyCommand, PredictsFromTheTimesOfItsChecks)
 {
-    const std::string arguments = "plan " + problem(RoomFolder::planar()) + " --check-busy 20us --json";
+    const std::string arguments = "plan " + problem(RoomFolder::planar()) + " --time-limit 100s --json";
     const nlohmann::json run = call(arguments + " --predict 1,2,16").json();
     EXPECT_EQ(run["status"], "solved");
     const nlohmann::json& predictions = run["predictions"];
