@@ -32,6 +32,7 @@ struct RawOptions
     std::string latency;
     std::string busy;
     std::string timeLimit;
+    std::string predict;
 };
 
 void addValidityResolution(CLI::App& app, std::optional<double>& resolution)
@@ -88,7 +89,8 @@ void addSearchOptions(CLI::App& app, CommonOptions& options, RawOptions& raw)
     app.add_option("--executor", planner.executor, "threads|virtual: real threads, or a simulated clock")
         ->check(CLI::IsMember({"threads", "virtual"}))
         ->capture_default_str();
-    app.add_option("--time-limit", raw.timeLimit, "Stop each search after this time, such as 10s")->type_name("TIME");
+    app.add_option("--time-limit", raw.timeLimit, "Stop each search after this time, such as 10s [a .cfg's own]")
+        ->type_name("TIME");
     app.add_flag("--json", options.json, "Print one JSON object and nothing else");
 }
 
@@ -166,15 +168,17 @@ int run(int argc, char** argv)
     PlanOptions planOptions;
     CLI::App* planApp = app.add_subcommand("plan", "Solve one problem");
     addProblemOptions(*planApp, planOptions.problem, raw);
-    planApp
-        ->add_option("--threads", planOptions.planner.numThreads,
-                     "Checks at once; 0: number of cores, 1: sequential A*")
-        ->check(CLI::Range(0U, 4096U))
-        ->capture_default_str();
+    CLI::Option* threads = planApp
+                               ->add_option("--threads", planOptions.planner.numThreads,
+                                            "Checks at once; 0: number of cores, 1: sequential A*")
+                               ->check(CLI::Range(0U, 4096U))
+                               ->capture_default_str();
     planApp->add_option("--policy", planOptions.planner.speculationPolicy, "What to check ahead")
         ->check(CLI::IsMember(speculationPolicies()))
         ->capture_default_str();
     addSearchOptions(*planApp, planOptions, raw);
+    planApp->add_flag("--anytime", planOptions.anytime,
+                      "Go on after the first path until the time limit: smaller weights, then finer lattices");
     planApp
         ->add_flag("--explain", planOptions.explain,
                    "Search nothing; tell the lattice that would be searched: axes, steps, size, checks, goals")
@@ -183,8 +187,27 @@ int run(int argc, char** argv)
         ->add_option("--planner", planOptions.planWith,
                      "Plan with another planner of OMPL, such as RRTConnect:range=5, for comparison; 10 s at most")
         ->type_name("NAME[:K=V;...]");
+    CLI::Option* predict =
+        planApp
+            ->add_option("--predict", raw.predict,
+                         "Search with one thread, and tell from the durations of its checks how long it takes with "
+                         "so many, such as 1,2,4 or 1..256")
+            ->type_name("N,...|N..M")
+            ->excludes(threads)
+            ->excludes("--executor")
+            ->excludes("--planner")
+            ->excludes("--anytime")
+            ->excludes("--explain");
+    planApp->add_option("--csv", planOptions.csvFile, "Write the predictions")->type_name("FILE")->needs(predict);
+    planApp->add_option("--plot", planOptions.plotFile, "Plot the predicted speed-up, as SVG")
+        ->type_name("FILE")
+        ->needs(predict);
     planApp->add_option("--svg", planOptions.svgFile, "Draw the search")->type_name("FILE");
-    planApp->add_option("--trace", planOptions.traceFile, "Write the search as JSON: map, order of expansions, path")
+    planApp
+        ->add_option(
+            "--trace", planOptions.traceFile,
+            "Write the search as JSON: map, order of expansions, path; or, where FILE ends in .csv, its checks: what "
+            "each one found and how long it took")
         ->type_name("FILE");
     planApp->add_option("--path", planOptions.pathFile, "Write the path, one state a line")->type_name("FILE");
 
@@ -216,6 +239,8 @@ int run(int argc, char** argv)
         if (planApp->parsed())
         {
             finish(planOptions, raw, true);
+            if (predict->count() > 0)
+                planOptions.predict = parseWorkers("--predict", raw.predict);
             return plan(planOptions, std::cout);
         }
         if (benchmarkApp->parsed())

@@ -31,6 +31,7 @@ struct CommonOptions
     PlannerSettings planner;
     problems::ArtificialCheck check;
     std::optional<std::chrono::nanoseconds> timeLimit;
+    bool anytime = false;  ///< go on after the first path
     bool json = false;
 };
 
@@ -41,6 +42,9 @@ struct PlanOptions : CommonOptions
     std::string svgFile;
     std::string traceFile;
     std::string pathFile;
+    std::vector<unsigned> predict;  ///< numbers of workers to predict the time for; empty: none
+    std::string csvFile;            ///< of the predictions
+    std::string plotFile;           ///< of the predictions
 };
 
 struct BenchmarkOptions

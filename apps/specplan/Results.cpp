@@ -35,6 +35,11 @@ std::string percent(double share)
     return fixed(100.0 * share, 1) + " %";
 }
 
+std::string timesText(unsigned count)
+{
+    return count == 1 ? "once" : concat(count, " times");
+}
+
 std::string policyText(const Run& run)
 {
     return run.report.threads == 1 ? "sequential" : run.settings.speculationPolicy;
@@ -86,6 +91,7 @@ nlohmann::ordered_json toJson(const Run& run)
         json["planner"] = run.plannerName;
         return json;
     }
+    json["refinements"] = report.refinements;
     json["expansions"] = report.expansions;
     json["checks_used"] = report.checksUsed;
     json["checks_total"] = report.checksTotal;
@@ -107,6 +113,8 @@ nlohmann::ordered_json toJson(const Run& run)
     json["evaluation"] = run.settings.evaluation;
     json["order_hash"] = hashText(report.orderHash);
     json["planner"] = run.plannerName;
+    for (const Improvement& improvement : run.improvements)
+        json["improvements"].push_back({{"time_s", improvement.seconds}, {"cost", improvement.cost}});
     return json;
 }
 
@@ -126,7 +134,11 @@ void printRun(std::ostream& out, const Run& run)
         return;
     }
     line("search", concat(policyText(run), ", ", report.threads, report.threads == 1 ? " thread" : " threads",
-                          ", weight ", run.report.weight));
+                          ", weight ", run.report.weight,
+                          report.refinements > 0 ? concat(", spacing halved ", timesText(report.refinements)) : ""));
+    for (const Improvement& improvement : run.improvements)
+        line("path",
+             concat("cost ", std::setprecision(9), improvement.cost, " after ", durationText(improvement.seconds)));
     line("expansions", concat(report.expansions, ", order ", hashText(report.orderHash)));
     line("checks used", concat(report.checksUsed, " of ", report.checksTotal, " run"));
     if (report.speculativeChecks > 0)

@@ -35,7 +35,6 @@ public:
 
     [[nodiscard]] PlannerSettings settle(PlannerSettings chosen) const override
     {
-        chosen.anytime = false;  // the first path that is within the weight ends it
         return chosen;
     }
 

@@ -3,8 +3,10 @@
 
 #include <csignal>
 #include <limits>
+#include <stdexcept>
 
 #include "Progress.h"
+#include "specplan/problems/InputError.h"
 #include "specplan/problems/PlannerCatalog.h"
 
 namespace specplan::command
@@ -24,6 +26,37 @@ extern "C" void noteInterrupt(int)
 
 constexpr std::chrono::seconds kTimeForOthers{10};
 
+PlannerSettings settled(const Problem& problem, const CommonOptions& options, const PlannerSettings& chosen)
+{
+    PlannerSettings settings = problem.settle(chosen);
+    settings.anytime = settings.anytime || options.anytime;
+    settings.stopAtFirstPath = !options.anytime;
+    return settings;
+}
+
+/// When a search that begins now has to end: the user's limit, or else that of the problem's file.
+Clock::time_point endOfTime(const Problem& problem, const CommonOptions& options)
+{
+    const std::optional<double> wish = problem.benchmarkWishes().timeLimit;
+    if (options.timeLimit)
+        return Clock::now() + *options.timeLimit;
+    if (wish)
+        return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*wish));
+    return Clock::time_point::max();
+}
+
+/// Notes each path that is better than those before, and when it was found.
+void noteImprovements(Run& run)
+{
+    const Clock::time_point begin = Clock::now();
+    run.setup->getProblemDefinition()->setIntermediateSolutionCallback(
+        [&run, begin](const ob::Planner*, const std::vector<const ob::State*>&, ob::Cost cost)
+        {
+            const std::chrono::duration<double> sinceBegin = Clock::now() - begin;
+            run.improvements.push_back({sinceBegin.count(), cost.value()});
+        });
+}
+
 void notePath(Run& run)
 {
     const ob::StateSpace& space = *run.setup->getStateSpace();
@@ -42,43 +75,61 @@ bool interrupted()
     return interruptSignals != 0;
 }
 
-Run planOnce(const Problem& problem, const CommonOptions& options, const PlannerSettings& settings, bool keepOrder)
+Run planOnce(const Problem& problem, const CommonOptions& options, const PlannerSettings& settings, bool keepOrder,
+             const std::shared_ptr<planner::CheckTrace>& trace)
 {
     Run run;
     run.problem = problem.name();
-    run.settings = problem.settle(settings);
+    run.settings = settled(problem, options, settings);
     if (options.check.duration.count() > 0)
         run.settings.virtualCheckCost = std::chrono::duration<double>(options.check.duration).count();
-    // On the virtual clock checks take no real time.
-    const bool simulated = settings.executor == "virtual";
+    // On the virtual clock checks take no real time, unless they have to be measured.
+    const bool simulated = settings.executor == "virtual" && !trace;
     run.setup = problem.makeSetup(simulated ? problems::ArtificialCheck{} : options.check);
     run.planner = std::make_shared<SpeculativeAStar>(run.setup->getSpaceInformation(), run.settings);
     run.setup->setPlanner(run.planner);
+    run.planner->setCheckTrace(trace);
     if (keepOrder)
         run.planner->setExpansionObserver(
             [&run](const ob::State* state)
             { run.setup->getStateSpace()->copyToReals(run.expanded.emplace_back(), state); });
 
-    const Clock::time_point begin = Clock::now();
+    if (options.anytime)
+        noteImprovements(run);
+    const Clock::time_point end = endOfTime(problem, options);
     Progress progress(*run.planner, problem.name(), settings);
     run.setup->solve(ob::PlannerTerminationCondition(
         [&]
         {
             progress.tick();
-            return interrupted() || (options.timeLimit && Clock::now() - begin >= *options.timeLimit);
+            return interrupted() || Clock::now() >= end;
         }));
     run.planner->setExpansionObserver({});
+    run.setup->getProblemDefinition()->setIntermediateSolutionCallback({});
     run.report = run.planner->getReport();
     if (run.solved())
         notePath(run);
     return run;
 }
 
+void compare(Run& run, const Run& baseline)
+{
+    run.report.sequentialTime = baseline.seconds();
+    run.report.speedup = run.seconds() > 0.0 ? baseline.seconds() / run.seconds() : 1.0;
+    run.report.efficiency = run.report.speedup / run.report.threads;
+    const bool whole = run.report.status != "timeout" && baseline.report.status != "timeout";
+    if (whole && run.report.orderHash != baseline.report.orderHash)
+        throw std::logic_error(problems::concat(run.problem, ": ", run.settings.speculationPolicy, " with ",
+                                                run.report.threads,
+                                                " threads expanded other states than sequential "
+                                                "A*; please report this"));
+}
+
 void explain(const Problem& problem, const CommonOptions& options, std::ostream& out)
 {
     const auto setup = problem.makeSetup({});
     const auto planner =
-        std::make_shared<SpeculativeAStar>(setup->getSpaceInformation(), problem.settle(options.planner));
+        std::make_shared<SpeculativeAStar>(setup->getSpaceInformation(), settled(problem, options, options.planner));
     setup->setPlanner(planner);
     setup->setup();
     planner->explain(out);

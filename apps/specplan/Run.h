@@ -16,6 +16,13 @@
 
 namespace specplan::command
 {
+/// A path that was better than those before it.
+struct Improvement
+{
+    double seconds;  ///< since the search began
+    double cost;
+};
+
 /// One finished search.
 struct Run
 {
@@ -27,6 +34,7 @@ struct Run
     std::shared_ptr<ompl::geometric::SimpleSetup> setup;  ///< likewise
     std::vector<std::vector<double>> expanded;            ///< in order, if asked for; as numbers (copyToReals)
     std::vector<std::vector<double>> path;                ///< empty if there is none
+    std::vector<Improvement> improvements;                ///< of an anytime search, in order
 
     /// Seconds from start to end on the clock of the executor.
     [[nodiscard]] double seconds() const
@@ -40,10 +48,16 @@ struct Run
     }
 };
 
-/// Plans once. The search stops early at the time limit, or when the user interrupts the program.
-/// \param keepOrder whether to note the expanded states.
+/// Plans once: until there is a path, on finer lattices too where the problem leaves the lattice to the planner;
+/// further with `anytime`. The search stops early at the time limit (of the options, else of the problem's file), or
+/// when the user interrupts the program. \param keepOrder whether to note the expanded states. \param trace kept, or
+/// replayed on the virtual clock, as SpeculativeAStar::setCheckTrace says; empty for none.
 [[nodiscard]] Run planOnce(const Problem& problem, const CommonOptions& options, const PlannerSettings& settings,
-                           bool keepOrder);
+                           bool keepOrder, const std::shared_ptr<planner::CheckTrace>& trace = {});
+
+/// Lets a run's figures be compared to a baseline that was measured, instead of the sum of its checks' durations.
+/// \throws std::logic_error if the order of expansions differs.
+void compare(Run& run, const Run& baseline);
 
 /// Tells which lattice planOnce() would search.
 void explain(const Problem& problem, const CommonOptions& options, std::ostream& out);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <ostream>
-#include <stdexcept>
 
 #include "Results.h"
 #include "SpeedupPlot.h"
@@ -13,20 +12,6 @@ namespace specplan::command
 {
 namespace
 {
-using problems::concat;
-
-/// Measured against the baseline instead of the sum of the checks' durations.
-void compare(Run& run, const Run& baseline)
-{
-    run.report.sequentialTime = baseline.seconds();
-    run.report.speedup = run.seconds() > 0.0 ? baseline.seconds() / run.seconds() : 1.0;
-    run.report.efficiency = run.report.speedup / run.report.threads;
-    const bool whole = run.report.status != "timeout" && baseline.report.status != "timeout";
-    if (whole && run.report.orderHash != baseline.report.orderHash)
-        throw std::logic_error(concat(run.problem, ": ", run.settings.speculationPolicy, " with ", run.report.threads,
-                                      " threads expanded other states than sequential A*; please report this"));
-}
-
 /// All runs of one problem, in the order of the table.
 class Experiment
 {

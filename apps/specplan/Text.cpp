@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -39,6 +40,28 @@ problems::GridCell parseCell(const std::string& option, const std::string& text)
     if (parts.size() != 2 || !problems::parse(parts[0], cell[0]) || !problems::parse(parts[1], cell[1]))
         throw InputError(concat(option, ": expected a cell x,y, found '", text, "'"));
     return cell;
+}
+
+std::vector<unsigned> parseWorkers(const std::string& option, const std::string& text)
+{
+    constexpr int kMost = 4096;
+    std::set<unsigned> workers;
+    std::istringstream parts(text + ',');
+    for (std::string part; std::getline(parts, part, ',');)
+    {
+        const auto dots = part.find("..");
+        int first = 0;
+        int last = 0;
+        const bool read = problems::parse(std::string_view(part).substr(0, dots), first) &&
+                          problems::parse(std::string_view(part).substr(dots == part.npos ? 0 : dots + 2), last);
+        if (!read || first < 1 || last < first || last > kMost)
+            throw InputError(
+                concat(option, ": expected numbers from 1 to 4096 such as 1,2,4 or 1..256, found '", text, "'"));
+        for (int next = first; next < last; next *= 2)
+            workers.insert(static_cast<unsigned>(next));
+        workers.insert(static_cast<unsigned>(last));
+    }
+    return {workers.begin(), workers.end()};
 }
 
 std::string fixed(double value, int places)

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 #include "specplan/problems/GridMap.h"
 
@@ -14,6 +15,11 @@ namespace specplan::command
 
 /// Reads a cell, "x,y". \throws InputError that names the option.
 [[nodiscard]] problems::GridCell parseCell(const std::string& option, const std::string& text);
+
+/// Reads numbers of workers from 1 to 4096: a list "1,2,4", or a range "1..256" that doubles from one to the next and
+/// ends with its last number; or both, "1..8,12". In rising order, each one once. \throws InputError that names the
+/// option.
+[[nodiscard]] std::vector<unsigned> parseWorkers(const std::string& option, const std::string& text);
 
 /// "12.3 ms" and the like.
 [[nodiscard]] std::string durationText(double seconds);

@@ -62,7 +62,7 @@ LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjec
         lattice_.setMotionCosts(&*costs_);
     else if (costs_ || !embedding_.sumsDistances())
         lattice_.setStepCost([this](NodeId from, NodeId to) { return motionCost(from, to); });
-    checker.open(lattice_, embedding_, std::move(sources), costs_ ? &*costs_ : nullptr);
+    checker.open(lattice_, embedding_, std::move(sources), costs_ && settings_.objectiveInChecks ? &*costs_ : nullptr);
     broker_.setBarrier(settings.barrier);
     speculates_ = !executor.runsInline();
 }

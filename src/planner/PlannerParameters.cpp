@@ -223,6 +223,7 @@ void declareParameters(ompl::base::ParamSet& params, std::function<PlannerSettin
     declarer.choice("evaluation", &PlannerSettings::evaluation, joined(evaluations()));
     declarer.number("weight", &PlannerSettings::weight, "0.:.1:1000000000.");
     declarer.flag("anytime", &PlannerSettings::anytime);
+    declarer.flag("stop_at_first_path", &PlannerSettings::stopAtFirstPath);
     declarer.number("resolution", &PlannerSettings::resolution, "0.:.001:1.");
     declarer.declare(
         "spacing", "",

@@ -16,6 +16,8 @@
 #include "specplan/planner/OmplCompat.h"
 #include "specplan/util/Hash.h"
 #include "specplan/validity/InlineExecutor.h"
+#include "specplan/validity/RunningClock.h"
+#include "specplan/validity/SimulatedPool.h"
 #include "specplan/validity/ThreadPoolExecutor.h"
 #include "specplan/validity/VirtualExecutor.h"
 
@@ -46,7 +48,7 @@ auto asTuple(const PlannerSettings& s)
 {
     return std::tie(s.numThreads, s.speculationPolicy, s.predictor, s.lookahead, s.barrier, s.weight, s.anytime,
                     s.evaluation, s.resolution, s.spacing, s.connectivity, s.cornerCutting, s.objectiveInChecks,
-                    s.executor, s.virtualCheckCost);
+                    s.executor, s.virtualCheckCost, s.stopAtFirstPath);
 }
 
 bool isStates(const ob::Goal& goal)
@@ -85,6 +87,8 @@ void PlannerSession::reset()
 {
     resetQuery();
     query.reset();
+    if (tracer)
+        tracer->clearNotes();
 }
 
 void PlannerSession::resetQuery()
@@ -111,20 +115,38 @@ void PlannerSession::ensureExecutor()
     if (threads == 0)
         threads = std::max(std::thread::hardware_concurrency(), 1U);
     if (executor && executorSettings.numThreads == threads && executorSettings.executor == settings.executor &&
-        executorSettings.virtualCheckCost == settings.virtualCheckCost)
+        executorSettings.virtualCheckCost == settings.virtualCheckCost && executorTrace == trace)
         return;
     executor.reset();
+    tracer.reset();
     checker = std::make_unique<OmplChecker>(*si, threads);
-    if (settings.executor == "virtual")
-        executor = std::make_unique<validity::VirtualExecutor>(*checker, threads,
-                                                               [this, cost = settings.virtualCheckCost](CheckId, bool)
-                                                               { return cost * checker->statesOfLastCheck(0); });
-    else if (threads == 1)
-        executor = std::make_unique<validity::InlineExecutor>(*checker);
-    else
-        executor = std::make_unique<validity::ThreadPoolExecutor>(*checker, threads);
+    if (trace)
+        tracer = std::make_unique<TracingChecker>(*checker, threads, trace, settings.executor == "virtual");
+    executor = makeExecutor(threads);
     executorSettings = settings;
     executorSettings.numThreads = threads;
+    executorTrace = trace;
+}
+
+std::unique_ptr<validity::Executor> PlannerSession::makeExecutor(unsigned threads)
+{
+    validity::Checker& first = tracer ? static_cast<validity::Checker&>(*tracer) : *checker;
+    if (settings.executor == "virtual" && tracer)
+    {
+        validity::SimulatedPool::Timing timing;
+        timing.ofCheck = [this](CheckId, bool) { return tracer->lastSeconds(); };
+        const auto clock = std::make_shared<validity::RunningClock>();
+        timing.ofSearch = [clock] { return clock->seconds(); };
+        timing.afterCheck = trace->afterCheck();
+        return std::make_unique<validity::SimulatedPool>(first, threads, std::move(timing));
+    }
+    if (settings.executor == "virtual")
+        return std::make_unique<validity::VirtualExecutor>(first, threads,
+                                                           [this, cost = settings.virtualCheckCost](CheckId, bool)
+                                                           { return cost * checker->statesOfLastCheck(0); });
+    if (threads == 1)
+        return std::make_unique<validity::InlineExecutor>(first);
+    return std::make_unique<validity::ThreadPoolExecutor>(first, threads);
 }
 
 Origins PlannerSession::currentOrigins(const ob::ProblemDefinition& pdef) const
@@ -328,7 +350,7 @@ SearchStatus PlannerSession::search(ob::PlannerInputStates& inputs, const ob::Go
 bool PlannerSession::beginBetterSearch(const ob::ProblemDefinition& pdef)
 {
     const ob::OptimizationObjectivePtr& objective = pdef.getOptimizationObjective();
-    finished_ = !settings.anytime || !objective || objective->isSatisfied(*bestCost_);
+    finished_ = !settings.anytime || settings.stopAtFirstPath || !objective || objective->isSatisfied(*bestCost_);
     if (finished_)
         return false;
     if (query->addsCosts() && weight_ > 1.0)
@@ -433,7 +455,7 @@ void PlannerSession::fillReport()
     const bool simulated = settings.executor == "virtual";
     report.virtualTime = simulated ? clockInSearch_ : 0.0;
     report.waitTime = counts.waitSeconds;
-    report.searchTime = simulated ? 0.0 : std::max(clockInSearch_ - counts.waitSeconds, 0.0);
+    report.searchTime = simulated && !executorTrace ? 0.0 : std::max(clockInSearch_ - counts.waitSeconds, 0.0);
     report.sequentialTime = counts.usedSeconds + report.searchTime;
     report.speedup = executor->runsInline() || !(clockInSearch_ > 0.0) ? 1.0 : report.sequentialTime / clockInSearch_;
     report.efficiency = report.speedup / report.threads;

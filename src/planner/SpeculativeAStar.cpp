@@ -105,6 +105,8 @@ ob::PlannerStatus SpeculativeAStar::solve(const ob::PlannerTerminationCondition&
     session_->report.wallTime += validity::steadySeconds() - start;
     if (session_->query && session_->query->isSearching())
         session_->fillReport();
+    if (session_->tracer)
+        session_->tracer->absorb();
     return status;
 }
 
@@ -195,6 +197,35 @@ void SpeculativeAStar::visitStates(const std::function<void(const ob::State*, St
             fate = StateFate::CheckedUnused;
         if (fate)
             visit(query.stateOf(node).get(), *fate);
+    }
+}
+
+void SpeculativeAStar::setCheckTrace(std::shared_ptr<planner::CheckTrace> trace)
+{
+    session_->trace = std::move(trace);
+    session_->sourcesChanged = true;
+}
+
+void SpeculativeAStar::visitChecks(const std::function<void(const CheckRun&)>& visit) const
+{
+    if (!session_->query || !session_->tracer)
+        return;
+    const planner::LatticeQuery& query = *session_->query;
+    const std::vector<planner::TracingChecker::Note> notes = session_->tracer->notes();
+    for (const planner::TracingChecker::Note& note : notes)
+    {
+        CheckRun run{
+            nullptr,      nullptr,    note.valid, query.broker().isUsed(note.check), note.start - notes.front().start,
+            note.seconds, note.worker};
+        const bool motion = note.check.isMotion();
+        const lattice::Lattice::Motion ends =
+            motion ? query.lattice().motion(note.check.motion()) : lattice::Lattice::Motion{note.check.node(), 0};
+        const planner::StateHandle from = query.stateOf(ends.from);
+        const std::optional<planner::StateHandle> to =
+            motion ? std::make_optional(query.stateOf(ends.to)) : std::nullopt;
+        run.from = from.get();
+        run.to = motion ? to->get() : nullptr;
+        visit(run);
     }
 }
 

@@ -2,7 +2,6 @@
 #include "specplan/validity/ThreadPoolExecutor.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <system_error>
 
@@ -12,24 +11,12 @@ namespace specplan::validity
 {
 namespace
 {
-/// From two up to this many workers the search thread is one of them.
-constexpr unsigned kFewWorkers = 8;
-
-/// How long a thread spins before it sleeps: as long as waking it would take.
-constexpr double kSpinSeconds = 20e-6;
-
-/// What the supply of queued checks has to bridge: the time that the search may take until it hands out more.
-constexpr double kSupplySeconds = 40e-6;
-
 /// A check that is on a processor for this share of its time counts as busy; where threads share processors, busy ones
 /// may come close.
 constexpr double kBusyShare = 0.2;
 
 /// Shorter checks say nothing of those that take the time.
 constexpr double kTellingSeconds = 5e-6;
-
-/// Share of the newest check in the average duration.
-constexpr double kAverageUpdate = 0.05;
 
 void pause() noexcept
 {
@@ -45,7 +32,7 @@ template <typename Ready>
 void spin(const Ready& ready)
 {
     constexpr int kLooksPerClock = 64;
-    const double end = steadySeconds() + kSpinSeconds;
+    const double end = steadySeconds() + PoolRules::kSpinSeconds;
     do
         for (int i = 0; i < kLooksPerClock; ++i)
         {
@@ -90,15 +77,12 @@ Completion ThreadPoolExecutor::runHere(CheckId check)
 bool ThreadPoolExecutor::searchThreadWorks() const noexcept
 {
     // It takes the number of the last worker, whose thread must then not exist.
-    return usedWorkers() > 1 && usedWorkers() <= kFewWorkers && threads_.size() < workers_;
+    return PoolRules::searchThreadWorks(usedWorkers()) && threads_.size() < workers_;
 }
 
 unsigned ThreadPoolExecutor::room() const noexcept
 {
-    // A search thread that works comes back after a check: until then the others live on the supply.
-    const unsigned used = usedWorkers();
-    const double supply = std::floor(std::clamp(used * kSupplySeconds / std::max(seconds_, 1e-9), 0.0, 4.0 * used));
-    const std::size_t wanted = used + std::max(searchThreadWorks() ? used : 0U, static_cast<unsigned>(supply));
+    const std::size_t wanted = PoolRules::mostInHand(usedWorkers(), searchThreadWorks(), durations_);
     return inHand_ < wanted ? static_cast<unsigned>(wanted - inHand_) : 0;
 }
 
@@ -206,7 +190,7 @@ void ThreadPoolExecutor::learn(const Completion& completion)
         busyChecks_.add(completion.busyShare > kBusyShare);
         setThreadLimit(usedWorkers() - (searchThreadWorks() ? 1 : 0));
     }
-    seconds_ = seconds_ == 1.0 ? completion.seconds : seconds_ + (completion.seconds - seconds_) * kAverageUpdate;
+    durations_.add(completion.seconds);
 }
 
 void ThreadPoolExecutor::setThreadLimit(unsigned limit)

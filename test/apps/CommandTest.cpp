@@ -83,6 +83,78 @@ TEST(Command, WritesPictureTraceAndPath)
     EXPECT_EQ(states, trace["path"].size());
 }
 
+TEST(Command, PredictsFromOneRunHowLongMoreThreadsTake)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        call("plan " + kCity + " --check-latency 300us --predict 1..8,12 --json --csv '" + folder / "a.csv" +
+             "' --plot '" + folder / "a.svg" + "' --trace '" + folder / "checks.csv" + "'");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const nlohmann::json run = outcome.json();
+    EXPECT_EQ(run["threads"], 1);
+    const nlohmann::json& predictions = run["predictions"];
+    const std::vector<unsigned> threads{1, 2, 4, 8, 12};
+    ASSERT_EQ(predictions.size(), threads.size());
+    for (std::size_t i = 0; i < threads.size(); ++i)
+    {
+        const nlohmann::json& row = predictions[i];
+        EXPECT_EQ(row["threads"], threads[i]);
+        EXPECT_EQ(row["order_hash"], run["order_hash"]);
+        EXPECT_NEAR(row["virtual_time_s"].get<double>() * row["speedup"].get<double>(),
+                    run["wall_time_s"].get<double>(), 1e-9);
+        EXPECT_GT(row["speedup"].get<double>(), 0.6 * threads[i]);
+        EXPECT_LT(row["speedup"].get<double>(), 1.02 * threads[i]);
+    }
+    EXPECT_EQ(predictions[0]["speedup"], 1.0);
+    const std::string csv = folder.read("a.csv");
+    EXPECT_EQ(std::ranges::count(csv, '\n'), 6) << csv;
+    EXPECT_EQ(folder.read("a.svg").rfind("<?xml", 0), 0U);
+    const std::string checks = folder.read("checks.csv");
+    EXPECT_EQ(checks.rfind("kind,valid,used,start_s,duration_s,worker,from,to\nstate,", 0), 0U);
+    EXPECT_EQ(std::ranges::count(checks, '\n'), run["checks_total"].get<std::ptrdiff_t>() + 1);
+    EXPECT_EQ(folder.files(), 3);
+}
+
+TEST(Command, PredictionsAreATableToo)
+{
+    const Outcome outcome = call("plan " + kCity + " --check-latency 50us --predict 2,32");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.out.find("\n   runahead       2     solved"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("\n   runahead      32     solved"), std::string::npos) << outcome.out;
+}
+
+TEST(Command, NothingIsPredictedFromASearchThatWasStopped)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome = call("plan " + kCity + " --check-latency 5ms --time-limit 50ms --json --predict 2 --csv '" +
+                                 folder / "a.csv" + "'");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_FALSE(outcome.json().contains("predictions"));
+    EXPECT_EQ(
+        outcome.err,
+        "specplan: warning: --predict: nothing is predicted from a search that did not come to its end (timeout)\n");
+    EXPECT_EQ(folder.files(), 0) << "no predictions, no file";
+}
+
+TEST(Command, AnytimeTellsHowTheCostFell)
+{
+    const nlohmann::json run = call("plan " + kCity + " --weight 20 --anytime --json").json();
+    const nlohmann::json& improvements = run["improvements"];
+    ASSERT_GT(improvements.size(), 1U);
+    for (std::size_t i = 1; i < improvements.size(); ++i)
+    {
+        EXPECT_LT(improvements[i]["cost"], improvements[i - 1]["cost"]);
+        EXPECT_GE(improvements[i]["time_s"], improvements[i - 1]["time_s"]);
+    }
+    EXPECT_EQ(improvements.back()["cost"], run["cost"]);
+    EXPECT_EQ(run["weight"], 1.0) << "down to the best there is";
+    const nlohmann::json once = call("plan " + kCity + " --weight 20 --json").json();
+    EXPECT_EQ(once["cost"], improvements.front()["cost"]);
+    EXPECT_EQ(once["weight"], 20.0);
+    EXPECT_FALSE(once.contains("improvements"));
+}
+
 TEST(Command, SpeedupWritesTableCsvAndPlot)
 {
     const TemporaryFolder folder;
@@ -212,6 +284,17 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"plan MAP --start 0,0 --goal 0,1 --svg OUT/none/a.svg", "a.svg: cannot be written"},
         BadCall{"plan MAP --start 0,0 --goal 0,1 --svg OUT/a.svg --path OUT", "cannot be written: it is a directory"},
         BadCall{"plan MAP --start 0,0 --goal 0,1 --colour red", "--colour"},
+        BadCall{"plan MAP --start 0,0 --goal 0,1 --predict 0", "--predict: expected numbers from 1 to 4096"},
+        BadCall{"plan MAP --start 0,0 --goal 0,1 --predict 8..2", "such as 1,2,4 or 1..256, found '8..2'"},
+        BadCall{"plan MAP --start 0,0 --goal 0,1 --predict 1,,2", "--predict: expected numbers"},
+        BadCall{"plan MAP --start 0,0 --goal 0,1 --predict 1..", "--predict: expected numbers"},
+        BadCall{"plan MAP --start 0,0 --goal 0,1 --predict 1..5000", "--predict: expected numbers"},
+        BadCall{"plan MAP --start 0,0 --goal 0,1 --predict many", "--predict: expected numbers"},
+        BadCall{"plan MAP --start 0,0 --goal 0,1 --predict 2 --threads 2", "excludes"},
+        BadCall{"plan MAP --start 0,0 --goal 0,1 --predict 2 --anytime", "excludes"},
+        BadCall{"plan MAP --start 0,0 --goal 0,1 --csv OUT/a.csv", "requires --predict"},
+        BadCall{"plan MAP --start 0,0 --goal 0,1 --predict 2 --csv OUT/none/a.csv", "a.csv: cannot be written"},
+        BadCall{"plan MAP --start 0,0 --goal 0,1 --planner RRT --trace OUT/a.csv", "--trace: expected a name"},
         BadCall{"plan MAP MAP --start 0,0 --goal 0,1", "PROBLEM: expected one, found 2"},
         BadCall{"speedup MAP MAP --start 0,0 --goal 0,1", "expected a single PROBLEM"},
         BadCall{"speedup MAP --start 0,0 --goal 0,1 --threads 1,x", "--threads"},

@@ -61,6 +61,50 @@ TEST_F(RigidBodyCommand, PlanWritesPictureTraceAndPath)
     }
 }
 
+TEST_F(RigidBodyCommand, PlanRefinesUntilThereIsAPath)
+{
+    // A door hardly wider than the robot, halfway between two lines of the first lattice, which is 0.177 wide.
+    problems::Mesh room = boxMesh({4.9, -0.2, 0.0}, {5.1, 2.99, 3.0});
+    problems::addBox(room, {4.9, 3.41, 0.0}, {5.1, 10.2, 3.0});
+    problems::addBox(room, {-0.2, -0.4, 0.0}, {10.2, -0.2, 3.0});
+    problems::addBox(room, {-0.2, 10.2, 0.0}, {10.2, 10.4, 3.0});
+    problems::writeObj(room_.folder / "room.obj", room);
+    const std::string narrow = problem(
+        "[problem]\nrobot = robot.obj\nworld = room.obj\nlongest_valid_segment_fraction = 0.005\n"
+        "start.x = 2\nstart.y = 4\nstart.theta = 0\ngoal.x = 8\ngoal.y = 4\ngoal.theta = 0\n");
+    const nlohmann::json found = call("plan " + narrow + " --json --threads 1").json();
+    EXPECT_EQ(found["status"], "solved");
+    EXPECT_GE(found["refinements"], 1);
+    const nlohmann::json many = call("plan " + narrow + " --json --threads 4 --executor virtual").json();
+    EXPECT_EQ(many["order_hash"], found["order_hash"]);
+    EXPECT_EQ(many["refinements"], found["refinements"]);
+
+    const nlohmann::json late = call("plan " + narrow + " --json --time-limit 1ms").json();
+    EXPECT_EQ(late["status"], "timeout");
+}
+
+TEST_F(RigidBodyCommand, TheFilesTimeLimitIsThatOfPlan)
+{
+    const nlohmann::json run =
+        call("plan " + problem(RoomFolder::planar()) + " --threads 1 --check-latency 5ms --json").json();
+    EXPECT_EQ(run["status"], "timeout");
+    EXPECT_NEAR(run["wall_time_s"].get<double>(), 2.0, 1.0);
+}
+
+TEST_F(RigidBodyCommand, PredictsFromTheTimesOfItsChecks)
+{
+    const std::string arguments = "plan " + problem(RoomFolder::planar()) + " --time-limit 100s --json";
+    const nlohmann::json run = call(arguments + " --predict 1,2,16").json();
+    EXPECT_EQ(run["status"], "solved");
+    const nlohmann::json& predictions = run["predictions"];
+    ASSERT_EQ(predictions.size(), 3U);
+    EXPECT_EQ(predictions[0]["virtual_time_s"], run["wall_time_s"]);
+    EXPECT_GT(predictions[1]["speedup"], 1.2);
+    EXPECT_GT(predictions[2]["speedup"], predictions[1]["speedup"]);
+    for (const nlohmann::json& row : predictions)
+        EXPECT_EQ(row["order_hash"], run["order_hash"]);
+}
+
 TEST_F(RigidBodyCommand, ReportsWhatTheFileSaysInVain)
 {
     const Outcome outcome =

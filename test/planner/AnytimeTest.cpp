@@ -115,6 +115,29 @@ TEST(Anytime, APassageNarrowerThanTheFirstLatticeIsFoundOnAFinerOne)
     EXPECT_NE(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
 }
 
+TEST(Anytime, TheFirstPathMayBeAllThatIsWanted)
+{
+    Scene scene;
+    askForLength(scene);
+    scene.setup.getStateSpace()->setLongestValidSegmentFraction(0.001);
+    scene.setup.setStateValidityChecker(
+        [&](const ob::State* state)
+        {
+            const double* x = state->as<ob::RealVectorStateSpace::StateType>()->values;
+            return std::abs(x[0] - 0.5) > 0.05 || std::abs(x[1] - 0.3055) < 0.002;
+        });
+    PlannerSettings first = settingsFor(1);
+    first.stopAtFirstPath = true;
+    first.weight = 3.0;
+    scene.plan(first);
+    ASSERT_EQ(scene.solve(ob::plannerNonTerminatingCondition()), ob::PlannerStatus::EXACT_SOLUTION)
+        << "goes on to finer lattices before the first path";
+    const SearchReport& report = scene.planner->getReport();
+    EXPECT_GE(report.refinements, 1U);
+    EXPECT_EQ(report.weight, 3.0) << "no search with a smaller weight was begun";
+    EXPECT_EQ(report.bound, 3.0);
+}
+
 class Queries : public testing::TestWithParam<unsigned>
 {
 };

@@ -80,6 +80,7 @@ TEST(Parameters, RoundTripThroughStrings)
                                                     {"virtual_check_cost", "0.005"},
                                                     {"rethrow_exceptions", "1"},
                                                     {"anytime", "0"},
+                                                    {"stop_at_first_path", "1"},
                                                     {"evaluation", "lazy"},
                                                     {"objective_in_checks", "0"}};
     ASSERT_TRUE(one.params().setParams(values));
@@ -98,7 +99,7 @@ TEST(Parameters, AreAllDocumentedWithTheirDefaultsAndRanges)
     SpeculativeAStar planner(scene.setup.getSpaceInformation());
     std::vector<std::string> names;
     planner.params().getParamNames(names);
-    EXPECT_EQ(names.size(), 16U);
+    EXPECT_EQ(names.size(), 17U);
     for (const std::string& name : names)
     {
         const auto& param = planner.params()[name];

@@ -37,6 +37,16 @@ public:
     /// Computes the cost of a motion and keeps it.
     void evaluate(lattice::MotionId motion, const ompl::base::State* from, const ompl::base::State* to);
 
+    /// What `evaluate` found, and a way to say it instead.
+    [[nodiscard]] double evaluated(lattice::MotionId motion) const noexcept
+    {
+        return costs_[motion];
+    }
+    void set(lattice::MotionId motion, double cost) noexcept
+    {
+        costs_[motion] = cost;
+    }
+
     /// Ends of paths have this cost besides; for terminals.
     void setTerminalCost(lattice::NodeId node, double cost);
 

@@ -49,6 +49,18 @@ public:
         return scratch_[worker].states;
     }
 
+    /// The lattice whose checks these are.
+    [[nodiscard]] const lattice::Lattice& lattice() const noexcept
+    {
+        return *lattice_;
+    }
+
+    /// Where checks of motions leave the costs of these; nullptr for path length.
+    [[nodiscard]] ObjectiveCosts* costs() const noexcept
+    {
+        return costs_;
+    }
+
     /// Whether motions are tested by discretisation, so that a motion of one segment needs no check besides its ends.
     [[nodiscard]] bool isDiscrete() const noexcept
     {

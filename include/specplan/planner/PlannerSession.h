@@ -18,6 +18,7 @@
 #include "specplan/planner/LatticeQuery.h"
 #include "specplan/planner/OmplChecker.h"
 #include "specplan/planner/SpeculativeAStar.h"
+#include "specplan/planner/TracingChecker.h"
 #include "specplan/validity/Executor.h"
 
 namespace specplan::planner
@@ -82,11 +83,14 @@ public:
     SpeculativeAStar::StateValidityCheckerAllocator checkerAllocator;
     SpeculativeAStar::MotionValidatorAllocator motionValidatorAllocator;
     std::function<void(const ompl::base::State*)> observer;
+    std::shared_ptr<CheckTrace> trace;  ///< of what checks find and how long they take; empty for none
 
     // Order matters: the executor's threads end before the checker they use.
     std::unique_ptr<OmplChecker> checker;
+    std::unique_ptr<TracingChecker> tracer;  ///< before the checker, if there is a trace
     std::unique_ptr<validity::Executor> executor;
     PlannerSettings executorSettings;
+    std::shared_ptr<CheckTrace> executorTrace;
     std::unique_ptr<LatticeQuery> query;
     PlannerSettings querySettings;
     Origins origins;
@@ -111,6 +115,7 @@ private:
     };
 
     void ensureExecutor();
+    [[nodiscard]] std::unique_ptr<validity::Executor> makeExecutor(unsigned threads);
     [[nodiscard]] Origins currentOrigins(const ompl::base::ProblemDefinition& pdef) const;
     [[nodiscard]] OmplChecker::Sources makeSources() const;
     bool takeStarts(ompl::base::PlannerInputStates& inputs, const ompl::base::ProblemDefinition& pdef);

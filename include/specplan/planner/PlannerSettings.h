@@ -48,6 +48,10 @@ struct PlannerSettings
     /// looked for where the problem definition has an objective; any path at all where the first lattice has none.
     bool anytime = true;
 
+    /// Whether the first path ends the search (`stop_at_first_path`): `anytime` then only stands for finer lattices
+    /// where the first one has no path.
+    bool stopAtFirstPath = false;
+
     /// Lattice spacing as a fraction of the extent of each axis (`resolution`), 1e-6 to 1; 0 chooses by dimension. A
     /// lattice that was asked for is never refined.
     double resolution = 0.0;

@@ -19,8 +19,9 @@ namespace specplan
 {
 namespace planner
 {
+class CheckTrace;
 class PlannerSession;
-}
+}  // namespace planner
 
 /// A* on a lattice over an OMPL state space, with the validity checks that it is about to need run ahead in parallel.
 ///
@@ -112,6 +113,28 @@ public:
 
     /// Calls `visit` for every lattice state that was expanded or checked; the state is valid during the call only.
     void visitStates(const std::function<void(const ompl::base::State* state, StateFate fate)>& visit) const;
+
+    /// From the next solve() on, which starts afresh, keeps what each check finds and how long it takes in this trace;
+    /// an empty one is for none. On the virtual clock a trace is replayed instead: what it knows is not checked again,
+    /// what it does not know is checked once, and the clock tells what that many threads would take on as many
+    /// processors, the search's own work included. `virtual_check_cost` means nothing then.
+    void setCheckTrace(std::shared_ptr<planner::CheckTrace> trace);
+
+    /// One check that has run.
+    struct CheckRun
+    {
+        const ompl::base::State* from;  ///< the state; of a motion its beginning
+        const ompl::base::State* to;    ///< end of the motion; nullptr for the check of a state
+        bool valid;
+        bool used;       ///< whether the search has asked for the verdict
+        double start;    ///< seconds since the first check began
+        double seconds;  ///< duration
+        unsigned worker;
+    };
+
+    /// Calls `visit` for every check that has run since the trace was set, in the order in which they began; the states
+    /// are valid during the call only. Nothing without a trace.
+    void visitChecks(const std::function<void(const CheckRun& check)>& visit) const;
 
     /// Told about each expanded state in order, in the thread of solve(); for traces. An empty function for none.
     void setExpansionObserver(std::function<void(const ompl::base::State* state)> observer);

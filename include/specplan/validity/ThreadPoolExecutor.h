@@ -11,6 +11,7 @@
 
 #include "specplan/validity/InlineRunner.h"
 #include "specplan/validity/MajorityVote.h"
+#include "specplan/validity/PoolRules.h"
 
 namespace specplan::validity
 {
@@ -95,7 +96,7 @@ private:
 
     // Search thread only.
     std::size_t inHand_ = 0;   ///< submitted and not collected
-    double seconds_ = 1.0;     ///< running average of the duration of a check
+    Durations durations_;      ///< of checks
     MajorityVote busyChecks_;  ///< whether checks keep a processor busy
     InlineRunner runner_;
     std::vector<std::thread> threads_;

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact times of the simulated pool, with durations and a search clock of the test's own.
+#include "specplan/validity/SimulatedPool.h"
+
+#include <gtest/gtest.h>
+
+#include "FakeChecker.h"
+
+namespace specplan::validity
+{
+namespace
+{
+using test::FakeChecker;
+using test::stateCheck;
+
+constexpr std::chrono::milliseconds kWait{1};
+constexpr std::chrono::milliseconds kNoWait{0};
+constexpr unsigned kMany = PoolRules::kFewWorkers + 1;  ///< so many that the search thread is none of them
+
+using Nodes = std::vector<std::uint32_t>;
+
+class SimulatedPoolTest : public testing::Test
+{
+protected:
+    /// A check of node n lasts n seconds. Handing over costs nothing and threads do not sleep unless a test says so.
+    SimulatedPool::Timing timing()
+    {
+        SimulatedPool::Timing timing;
+        timing.ofCheck = [](CheckId check, bool) { return static_cast<double>(check.node()); };
+        timing.ofSearch = [this] { return work; };
+        timing.handOver = 0.0;
+        timing.wake = 0.0;
+        return timing;
+    }
+
+    static void submit(SimulatedPool& pool, const Nodes& nodes, Urgency urgency = Urgency::Speculative)
+    {
+        for (const std::uint32_t node : nodes)
+            pool.submit(stateCheck(node), urgency);
+    }
+
+    static Nodes collected(SimulatedPool& pool, std::chrono::milliseconds patience)
+    {
+        std::vector<Completion> completions;
+        pool.collect(completions, patience);
+        Nodes nodes;
+        for (const Completion& completion : completions)
+            nodes.push_back(completion.check.node());
+        return nodes;
+    }
+
+    FakeChecker checker;
+    double work = 100.0;  ///< seconds that the search has worked; begins anywhere
+};
+
+TEST_F(SimulatedPoolTest, OneWorkerIsSequentialAndTheSearchsWorkCounts)
+{
+    SimulatedPool pool(checker, 1, timing());
+    EXPECT_TRUE(pool.runsInline());
+    EXPECT_TRUE(pool.canRunHere());
+    EXPECT_EQ(pool.room(), 0U);
+    EXPECT_EQ(pool.now(), 0.0);
+    const Completion first = pool.runHere(stateCheck(4));
+    EXPECT_TRUE(first.valid);
+    EXPECT_EQ(first.seconds, 4.0);
+    EXPECT_EQ(pool.now(), 4.0);
+    work += 0.5;
+    EXPECT_EQ(pool.now(), 4.5);
+    EXPECT_FALSE(pool.runHere(stateCheck(3)).valid);
+    EXPECT_EQ(pool.now(), 7.5);
+}
+
+TEST_F(SimulatedPoolTest, WhatTheSearchDoesInsideOfTheExecutorIsNotItsWork)
+{
+    SimulatedPool pool(checker, 1, timing());
+    checker.during = [this](CheckId, unsigned) { work += 50.0; };  // the real check, or looking it up
+    EXPECT_EQ(pool.runHere(stateCheck(4)).seconds, 4.0);
+    EXPECT_EQ(pool.now(), 4.0);
+}
+
+TEST_F(SimulatedPoolTest, WorkersGoOnWhileTheSearchWorks)
+{
+    SimulatedPool pool(checker, kMany, timing());
+    Nodes nodes(kMany, 10);
+    nodes[0] = 2;
+    submit(pool, nodes);
+    submit(pool, {3});  // queued
+    EXPECT_EQ(pool.freeWorkers(), 0U);
+    EXPECT_EQ(collected(pool, kNoWait), Nodes{}) << "no time has passed";
+    work += 4.0;
+    EXPECT_TRUE(pool.runsDry()) << "the one that is done has taken the queued one";
+    EXPECT_EQ(collected(pool, kNoWait), Nodes{2});
+    EXPECT_FALSE(pool.runsDry()) << "all workers are busy";
+    work += 1.0;
+    EXPECT_TRUE(pool.runsDry());
+    EXPECT_EQ(collected(pool, kNoWait), Nodes{3}) << "began at 2, ended at 5, while the search worked";
+    EXPECT_EQ(pool.now(), 5.0);
+    EXPECT_EQ(collected(pool, kWait), Nodes(kMany - 1, 10));
+    EXPECT_EQ(pool.now(), 10.0);
+    EXPECT_FALSE(pool.busy());
+    EXPECT_EQ(collected(pool, kWait), Nodes{}) << "nothing to wait for";
+    EXPECT_EQ(pool.now(), 10.0);
+}
+
+TEST_F(SimulatedPoolTest, OfFewWorkersTheSearchThreadIsOne)
+{
+    SimulatedPool pool(checker, 2, timing());
+    submit(pool, {7, 4, 2});
+    // One thread has 7; instead of waiting the search takes 4, and then 2.
+    EXPECT_EQ(collected(pool, kWait), Nodes{4});
+    EXPECT_EQ(pool.now(), 4.0);
+    EXPECT_EQ(collected(pool, kWait), Nodes{2});
+    EXPECT_EQ(pool.now(), 6.0);
+    EXPECT_EQ(collected(pool, kWait), Nodes{7});
+    EXPECT_EQ(pool.now(), 7.0);
+    EXPECT_EQ(checker.calls, 3);
+}
+
+TEST_F(SimulatedPoolTest, HandingOverTakesTheSearchAMoment)
+{
+    SimulatedPool::Timing costly = timing();
+    costly.handOver = 0.25;
+    SimulatedPool pool(checker, kMany, costly);
+    submit(pool, {4, 4});
+    EXPECT_EQ(pool.now(), 0.5);
+    EXPECT_EQ(collected(pool, kWait), Nodes{4});
+    EXPECT_EQ(pool.now(), 4.25);
+    EXPECT_EQ(collected(pool, kWait), Nodes{4});
+    EXPECT_EQ(pool.now(), 4.5);
+}
+
+TEST_F(SimulatedPoolTest, ThreadsThatHaveHadNothingToDoHaveToWakeUp)
+{
+    SimulatedPool::Timing sleepy = timing();
+    sleepy.wake = 0.5;
+    sleepy.afterCheck = 0.125;
+    SimulatedPool pool(checker, 2, sleepy);
+    submit(pool, {4});
+    EXPECT_EQ(collected(pool, kWait), Nodes{4});
+    EXPECT_EQ(pool.now(), 5.0) << "the worker and then the search had to wake up";
+    submit(pool, {2, 4});
+    EXPECT_EQ(collected(pool, kWait), (Nodes{4, 2})) << "2 began at 5.5 and came back during 4";
+    EXPECT_EQ(pool.now(), 9.125) << "the search needs a moment after a check of its own";
+}
+
+TEST_F(SimulatedPoolTest, DemandedChecksOvertakeAndQueuedOnesCanBeTakenBack)
+{
+    SimulatedPool pool(checker, kMany, timing());
+    submit(pool, Nodes(kMany, 20));
+    submit(pool, {2, 3});
+    submit(pool, {4}, Urgency::Demanded);
+    pool.promote(stateCheck(3));
+    std::vector<CheckId> dropped;
+    pool.cancelUnwanted([](CheckId check) { return check.node() != 2; }, dropped);
+    EXPECT_EQ(dropped, std::vector<CheckId>{stateCheck(2)});
+    EXPECT_EQ(collected(pool, kWait), Nodes(kMany, 20));
+    EXPECT_EQ(collected(pool, kWait), Nodes{3});
+    EXPECT_EQ(collected(pool, kWait), Nodes{4});
+    EXPECT_EQ(pool.now(), 24.0);
+
+    submit(pool, Nodes(kMany, 20));
+    submit(pool, {2}, Urgency::Demanded);
+    dropped.clear();
+    pool.cancelQueued(dropped);
+    EXPECT_EQ(dropped, std::vector<CheckId>{stateCheck(2)});
+    EXPECT_EQ(collected(pool, kWait), Nodes(kMany, 20));
+    EXPECT_FALSE(pool.busy());
+}
+
+TEST(PoolRules, TheSupplyGrowsWithTheSpreadOfDurations)
+{
+    Durations equal;
+    Durations mixed;
+    for (int i = 0; i < 1000; ++i)
+    {
+        equal.add(1e-3);
+        mixed.add(i % 2 == 0 ? 1e-3 : 10e-3);
+    }
+    EXPECT_NEAR(equal.spread(), 1.0, 1e-9);
+    EXPECT_NEAR(mixed.spread(), 50.5 / (5.5 * 5.5), 0.1);
+    EXPECT_EQ(PoolRules::mostInHand(4, true, equal), 8U);
+    EXPECT_GE(PoolRules::mostInHand(4, true, mixed), 11U);
+    EXPECT_EQ(PoolRules::mostInHand(16, false, mixed), 16U) << "the search thread is always there";
+}
+}  // namespace
+}  // namespace specplan::validity
