@@ -15,6 +15,7 @@ namespace specplan::problems
 namespace
 {
 using test::complaintOf;
+using test::replaced;
 using test::TemporaryFolder;
 
 const std::string kPlanar =
