@@ -266,7 +266,7 @@ std::optional<ob::PlannerStatus> PlannerSession::openQuery(ob::PlannerInputState
     }
     if (changed)
     {
-        weight_ = query->firstWeight(settings.anytime && pdef.hasOptimizationObjective());
+        weight_ = query->firstWeight(looksForBetter(pdef));
         finished_ = false;
         bestCost_.reset();
         bestPath_.reset();
@@ -346,11 +346,16 @@ SearchStatus PlannerSession::search(ob::PlannerInputStates& inputs, const ob::Go
     }
 }
 
+/// Whether a first path is not the end.
+bool PlannerSession::looksForBetter(const ob::ProblemDefinition& pdef) const
+{
+    return settings.anytime && !settings.stopAtFirstPath && pdef.hasOptimizationObjective();
+}
+
 /// Begins a search that may find something better than what is known. \return false if there is none.
 bool PlannerSession::beginBetterSearch(const ob::ProblemDefinition& pdef)
 {
-    const ob::OptimizationObjectivePtr& objective = pdef.getOptimizationObjective();
-    finished_ = !settings.anytime || settings.stopAtFirstPath || !objective || objective->isSatisfied(*bestCost_);
+    finished_ = !looksForBetter(pdef) || pdef.getOptimizationObjective()->isSatisfied(*bestCost_);
     if (finished_)
         return false;
     if (query->addsCosts() && weight_ > 1.0)

@@ -126,6 +126,7 @@ private:
     [[nodiscard]] search::SearchStatus search(ompl::base::PlannerInputStates& inputs, const ompl::base::Goal& goal,
                                               const ompl::base::PlannerTerminationCondition& ptc);
     void beginSearch();
+    [[nodiscard]] bool looksForBetter(const ompl::base::ProblemDefinition& pdef) const;
     [[nodiscard]] bool beginBetterSearch(const ompl::base::ProblemDefinition& pdef);
     [[nodiscard]] bool refine();
     [[nodiscard]] std::shared_ptr<ompl::geometric::PathGeometric> pathTo(lattice::NodeId node) const;
