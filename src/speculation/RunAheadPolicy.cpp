@@ -25,8 +25,19 @@ constexpr double kImprobable = 0.2;
 /// to do.
 constexpr double kSure = 0.9;
 
+/// How many steps back two equally long ways are compared.
+constexpr int kTieDepth = 100;
+
+/// Costs that differ by less than this share differ by rounding.
+constexpr double kRounding = 1e-12;
+
 /// Number of values that the average step of f remembers.
 constexpr double kScaleMemory = 1000.0;
+
+bool isTie(double g, double other)
+{
+    return std::abs(g - other) <= kRounding * std::abs(g);
+}
 }  // namespace
 
 RunAheadPolicy::RunAheadPolicy(lattice::Lattice& lattice, const validity::Broker& broker, const FrontierView& frontier,
@@ -135,6 +146,9 @@ void RunAheadPolicy::missed()
 void RunAheadPolicy::follow(NodeId id)
 {
     Node& node = touch(id);
+    node.expandedAs = ++followed_;
+    if (moves_)
+        followWaysFrom(id);
     const FrontierView::Way way = frontier_.bestWay(id);
     if (node.status == Status::Closed && node.g <= way.cost)
         return;
@@ -149,6 +163,25 @@ void RunAheadPolicy::follow(NodeId id)
     node.ofMotion = 1.0F;
     node.status = Status::Closed;
     relaxFrom(id);
+}
+
+/// The search takes one of several equally good ways, the shadow maybe another: now it is known which.
+void RunAheadPolicy::followWaysFrom(NodeId id)
+{
+    lattice_.successors(id, successors_);
+    makeRoom();
+    for (const lattice::Successors::Edge& edge : successors_.edges)
+    {
+        Node& end = nodes_[edge.node];
+        if (end.status != Status::Closed || frontier_.isExpanded(edge.node))
+            continue;
+        const FrontierView::Way way = frontier_.bestWay(edge.node);
+        if (way.parent != id || !way.motion || !isTie(way.cost, end.g))
+            continue;
+        end.parent = id;
+        end.motion = way.motion;
+        emitMotionTo(edge.node, edge.node);
+    }
 }
 
 bool RunAheadPolicy::advance()
@@ -189,6 +222,8 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
         return;
     Node& end = touch(edge.node);
     const double g = sum_(nodes_[from].g, costOf(edge));
+    if (edge.inner != 0 && isTie(g, end.g))
+        return settleTie(from, edge, g);
     if (!(g < end.g) || (end.status == Status::Closed && !wouldComeFirst(nodes_[from], end)))
         return;
     const CheckId state = CheckId::ofState(edge.node);
@@ -203,9 +238,11 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
     noteStep(sum_(g, end.h) - estimateThrough(nodes_[from]));
     end.g = g;
     end.parent = from;
+    end.step = step(edge);
     end.motion = successors_.motionOf(edge);
     end.guarded = !successors_.guardsOf(edge).empty();
     guarded_ = guarded_ || end.guarded;
+    moves_ = moves_ || end.motion;
     end.ofState = verdict == Verdict::Valid ? 1.0F : static_cast<float>(predictor_.probabilityValid(edge.node));
     end.ofMotion = static_cast<float>(ofMotion);
     end.probability = nodes_[from].probability * static_cast<double>(end.ofState * end.ofMotion);
@@ -213,6 +250,33 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
         nodes_[from].delay + delayFor(static_cast<double>(end.ofState)) + delayFor(static_cast<double>(end.ofMotion));
     end.status = Status::Open;
     push(edge.node);
+}
+
+/// Of equally good ways to a node the search takes the one that it finds first, and asks for that one's motion.
+void RunAheadPolicy::settleTie(NodeId from, const lattice::Successors::Edge& edge, double g)
+{
+    Node& end = nodes_[edge.node];
+    const std::optional<CheckId> motion = successors_.motionOf(edge);
+    if (!motion || end.status == Status::Unseen || end.parent == lattice::kNoNode || end.parent == from ||
+        broker_.verdict(*motion) == Verdict::Invalid || !isFoundBefore(from, g, end))
+        return;
+    end.g = g;
+    end.parent = from;
+    end.step = step(edge);
+    end.motion = motion;
+    if (end.status == Status::Closed && broker_.verdict(CheckId::ofState(edge.node)) == Verdict::Valid)
+        emitMotionTo(edge.node, edge.node);
+}
+
+/// Whether the search comes to `end` from this node rather than from its present parent.
+bool RunAheadPolicy::isFoundBefore(NodeId from, double g, const Node& end) const
+{
+    // Who is expanded after the end itself comes too late.
+    const bool inTime = wouldComeFirst(nodes_[from], end);
+    const bool parentInTime = wouldComeFirst(nodes_[end.parent], end);
+    if (inTime != parentInTime)
+        return inTime;
+    return inTime && g != end.g ? g < end.g : isExpandedBefore(from, end.parent);
 }
 
 /// What a motion costs, as far as that is known.
@@ -438,6 +502,35 @@ bool RunAheadPolicy::isChild(NodeId node, NodeId parent) const
 {
     return node < nodes_.size() && nodes_[node].parent == parent && nodes_[node].status != Status::Unseen &&
            !frontier_.isExpanded(node);
+}
+
+/// Whether the search expands `node` before `other`, as far as the shadow can tell.
+bool RunAheadPolicy::isExpandedBefore(NodeId node, NodeId other) const
+{
+    for (int depth = 0; depth < kTieDepth && node != other; ++depth)
+    {
+        const Node& a = nodes_[node];
+        const Node& b = nodes_[other];
+        if (a.expandedAs != b.expandedAs)
+            return a.expandedAs != 0 && (b.expandedAs == 0 || a.expandedAs < b.expandedAs);
+        if (const double f = estimateThrough(a), otherF = estimateThrough(b); f != otherF)
+            return f < otherF;
+        if (a.g != b.g)
+            return a.g > b.g;
+        // The older one: that whose parent was expanded first, or that comes first among the steps of one parent.
+        if (a.parent == b.parent)
+            return a.step < b.step;
+        if (a.parent == lattice::kNoNode || b.parent == lattice::kNoNode)
+            return a.parent == lattice::kNoNode;
+        node = a.parent;
+        other = b.parent;
+    }
+    return false;
+}
+
+std::uint16_t RunAheadPolicy::step(const lattice::Successors::Edge& edge) const
+{
+    return static_cast<std::uint16_t>(&edge - successors_.edges.data());
 }
 
 /// Whether the search expands `node` before `other`: then what it learns there comes in time.

@@ -70,6 +70,8 @@ private:
         lattice::NodeId askedFrom = lattice::kNoNode;  ///< expansion that wanted the state's check
         std::optional<lattice::CheckId> motion;        ///< the check of the motion from the parent
         bool guarded = false;                          ///< that motion needs states beside it, too
+        std::uint16_t step = 0;                        ///< place of that motion among those of the parent
+        std::uint32_t expandedAs = 0;                  ///< number of the search's expansion, as far as it was followed
         float ofState = 1.0F;                          ///< that the state is valid
         float ofMotion = 1.0F;                         ///< that the motion from the parent is
         Status status = Status::Unseen;
@@ -93,12 +95,15 @@ private:
     void synchronise();
     void importFrontier();
     void follow(lattice::NodeId node);
+    void followWaysFrom(lattice::NodeId node);
 
     // Running ahead of it.
     [[nodiscard]] bool advance();
     void relaxFrom(lattice::NodeId node);
     void relax(lattice::NodeId from, const lattice::Successors::Edge& edge);
     [[nodiscard]] double checkMotion(lattice::NodeId from, const lattice::Successors::Edge& edge, bool endIsValid);
+    void settleTie(lattice::NodeId from, const lattice::Successors::Edge& edge, double g);
+    [[nodiscard]] bool isFoundBefore(lattice::NodeId from, double g, const Node& end) const;
     void push(lattice::NodeId id);
     void emit(lattice::CheckId check, lattice::NodeId from);
 
@@ -118,6 +123,8 @@ private:
     [[nodiscard]] bool leadsOn(const Pending& pending) const;
     [[nodiscard]] bool isOnTheWay(lattice::CheckId motion) const;
     [[nodiscard]] bool isChild(lattice::NodeId node, lattice::NodeId parent) const;
+    [[nodiscard]] bool isExpandedBefore(lattice::NodeId node, lattice::NodeId other) const;
+    [[nodiscard]] std::uint16_t step(const lattice::Successors::Edge& edge) const;
     [[nodiscard]] bool wouldComeFirst(const Node& node, const Node& other) const;
     [[nodiscard]] double costOf(const lattice::Successors::Edge& edge) const;
     void noteStep(double change);
@@ -134,6 +141,7 @@ private:
     double caution_;
 
     bool imported_ = false;
+    bool moves_ = false;                            ///< steps need checks of their motion
     bool guarded_ = false;                          ///< steps need the states of further nodes
     std::optional<lattice::CheckId> motionToGoal_;  ///< proposed while the shadow waits at a goal
     lattice::NodeId expanding_ = lattice::kNoNode;  ///< the search is at this node
@@ -144,6 +152,7 @@ private:
     double steps_ = 0.0;  ///< how many steps that average has seen, up to its memory
     std::uint64_t pushes_ = 0;
     std::uint64_t expansions_ = 0;
+    std::uint32_t followed_ = 0;  ///< expansions of the search
     std::priority_queue<Pending, std::vector<Pending>, std::greater<>> pending_;
     std::vector<lattice::NodeId> subtree_;  ///< scratch
     std::vector<lattice::NodeId> rim_;      ///< scratch
