@@ -145,10 +145,10 @@ void RunAheadPolicy::missed()
 
 void RunAheadPolicy::follow(NodeId id)
 {
-    Node& node = touch(id);
-    node.expandedAs = ++followed_;
     if (moves_)
         followWaysFrom(id);
+    Node& node = touch(id);
+    node.expandedAs = ++followed_;
     const FrontierView::Way way = frontier_.bestWay(id);
     if (node.status == Status::Closed && node.g <= way.cost)
         return;
@@ -222,7 +222,7 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
         return;
     Node& end = touch(edge.node);
     const double g = sum_(nodes_[from].g, costOf(edge));
-    if (edge.inner != 0 && isTie(g, end.g))
+    if (edge.inner != 0 && nodes_[from].g < std::min(g, end.g) && isTie(g, end.g))  // or the tree would get cycles
         return settleTie(from, edge, g);
     if (!(g < end.g) || (end.status == Status::Closed && !wouldComeFirst(nodes_[from], end)))
         return;
