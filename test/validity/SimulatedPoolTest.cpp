@@ -13,8 +13,8 @@ namespace
 using test::FakeChecker;
 using test::stateCheck;
 
-constexpr std::chrono::milliseconds kWait{1};
-constexpr std::chrono::milliseconds kNoWait{0};
+constexpr std::chrono::milliseconds kMoment{1};
+constexpr std::chrono::milliseconds kAtOnce{0};
 constexpr unsigned kMany = PoolRules::kFewWorkers + 1;  ///< so many that the search thread is none of them
 
 using Nodes = std::vector<std::uint32_t>;
@@ -86,19 +86,19 @@ TEST_F(SimulatedPoolTest, WorkersGoOnWhileTheSearchWorks)
     submit(pool, nodes);
     submit(pool, {3});  // queued
     EXPECT_EQ(pool.freeWorkers(), 0U);
-    EXPECT_EQ(collected(pool, kNoWait), Nodes{}) << "no time has passed";
+    EXPECT_EQ(collected(pool, kAtOnce), Nodes{}) << "no time has passed";
     work += 4.0;
     EXPECT_TRUE(pool.runsDry()) << "the one that is done has taken the queued one";
-    EXPECT_EQ(collected(pool, kNoWait), Nodes{2});
+    EXPECT_EQ(collected(pool, kAtOnce), Nodes{2});
     EXPECT_FALSE(pool.runsDry()) << "all workers are busy";
     work += 1.0;
     EXPECT_TRUE(pool.runsDry());
-    EXPECT_EQ(collected(pool, kNoWait), Nodes{3}) << "began at 2, ended at 5, while the search worked";
+    EXPECT_EQ(collected(pool, kAtOnce), Nodes{3}) << "began at 2, ended at 5, while the search worked";
     EXPECT_EQ(pool.now(), 5.0);
-    EXPECT_EQ(collected(pool, kWait), Nodes(kMany - 1, 10));
+    EXPECT_EQ(collected(pool, kMoment), Nodes(kMany - 1, 10));
     EXPECT_EQ(pool.now(), 10.0);
     EXPECT_FALSE(pool.busy());
-    EXPECT_EQ(collected(pool, kWait), Nodes{}) << "nothing to wait for";
+    EXPECT_EQ(collected(pool, kMoment), Nodes{}) << "nothing to wait for";
     EXPECT_EQ(pool.now(), 10.0);
 }
 
@@ -107,11 +107,11 @@ TEST_F(SimulatedPoolTest, OfFewWorkersTheSearchThreadIsOne)
     SimulatedPool pool(checker, 2, timing());
     submit(pool, {7, 4, 2});
     // One thread has 7; instead of waiting the search takes 4, and then 2.
-    EXPECT_EQ(collected(pool, kWait), Nodes{4});
+    EXPECT_EQ(collected(pool, kMoment), Nodes{4});
     EXPECT_EQ(pool.now(), 4.0);
-    EXPECT_EQ(collected(pool, kWait), Nodes{2});
+    EXPECT_EQ(collected(pool, kMoment), Nodes{2});
     EXPECT_EQ(pool.now(), 6.0);
-    EXPECT_EQ(collected(pool, kWait), Nodes{7});
+    EXPECT_EQ(collected(pool, kMoment), Nodes{7});
     EXPECT_EQ(pool.now(), 7.0);
     EXPECT_EQ(checker.calls, 3);
 }
@@ -123,9 +123,9 @@ TEST_F(SimulatedPoolTest, HandingOverTakesTheSearchAMoment)
     SimulatedPool pool(checker, kMany, costly);
     submit(pool, {4, 4});
     EXPECT_EQ(pool.now(), 0.5);
-    EXPECT_EQ(collected(pool, kWait), Nodes{4});
+    EXPECT_EQ(collected(pool, kMoment), Nodes{4});
     EXPECT_EQ(pool.now(), 4.25);
-    EXPECT_EQ(collected(pool, kWait), Nodes{4});
+    EXPECT_EQ(collected(pool, kMoment), Nodes{4});
     EXPECT_EQ(pool.now(), 4.5);
 }
 
@@ -136,10 +136,10 @@ TEST_F(SimulatedPoolTest, ThreadsThatHaveHadNothingToDoHaveToWakeUp)
     sleepy.afterCheck = 0.125;
     SimulatedPool pool(checker, 2, sleepy);
     submit(pool, {4});
-    EXPECT_EQ(collected(pool, kWait), Nodes{4});
+    EXPECT_EQ(collected(pool, kMoment), Nodes{4});
     EXPECT_EQ(pool.now(), 5.0) << "the worker and then the search had to wake up";
     submit(pool, {2, 4});
-    EXPECT_EQ(collected(pool, kWait), (Nodes{4, 2})) << "2 began at 5.5 and came back during 4";
+    EXPECT_EQ(collected(pool, kMoment), (Nodes{4, 2})) << "2 began at 5.5 and came back during 4";
     EXPECT_EQ(pool.now(), 9.125) << "the search needs a moment after a check of its own";
 }
 
@@ -153,9 +153,9 @@ TEST_F(SimulatedPoolTest, DemandedChecksOvertakeAndQueuedOnesCanBeTakenBack)
     std::vector<CheckId> dropped;
     pool.cancelUnwanted([](CheckId check) { return check.node() != 2; }, dropped);
     EXPECT_EQ(dropped, std::vector<CheckId>{stateCheck(2)});
-    EXPECT_EQ(collected(pool, kWait), Nodes(kMany, 20));
-    EXPECT_EQ(collected(pool, kWait), Nodes{3});
-    EXPECT_EQ(collected(pool, kWait), Nodes{4});
+    EXPECT_EQ(collected(pool, kMoment), Nodes(kMany, 20));
+    EXPECT_EQ(collected(pool, kMoment), Nodes{3});
+    EXPECT_EQ(collected(pool, kMoment), Nodes{4});
     EXPECT_EQ(pool.now(), 24.0);
 
     submit(pool, Nodes(kMany, 20));
@@ -163,7 +163,7 @@ TEST_F(SimulatedPoolTest, DemandedChecksOvertakeAndQueuedOnesCanBeTakenBack)
     dropped.clear();
     pool.cancelQueued(dropped);
     EXPECT_EQ(dropped, std::vector<CheckId>{stateCheck(2)});
-    EXPECT_EQ(collected(pool, kWait), Nodes(kMany, 20));
+    EXPECT_EQ(collected(pool, kMoment), Nodes(kMany, 20));
     EXPECT_FALSE(pool.busy());
 }
 
