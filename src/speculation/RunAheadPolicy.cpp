@@ -176,10 +176,9 @@ void RunAheadPolicy::followWaysFrom(NodeId id)
         if (end.status != Status::Closed || frontier_.isExpanded(edge.node))
             continue;
         const FrontierView::Way way = frontier_.bestWay(edge.node);
-        if (way.parent != id || !way.motion || !isTie(way.cost, end.g))
+        if (way.parent != id || !way.motion || way.motion != successors_.motionOf(edge) || !isTie(way.cost, end.g))
             continue;
-        end.parent = id;
-        end.motion = way.motion;
+        takeWay(end, id, edge, way.cost);
         emitMotionTo(edge.node, edge.node);
     }
 }
@@ -222,8 +221,9 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
         return;
     Node& end = touch(edge.node);
     const double g = sum_(nodes_[from].g, costOf(edge));
-    if (edge.inner != 0 && nodes_[from].g < std::min(g, end.g) && isTie(g, end.g))  // or the tree would get cycles
-        return settleTie(from, edge, g);
+    if (const std::optional<CheckId> motion = successors_.motionOf(edge);
+        motion && isTie(g, end.g) && nodes_[from].g < std::min(g, end.g))  // or the tree would get cycles
+        return settleTie(from, edge, g, *motion);
     if (!(g < end.g) || (end.status == Status::Closed && !wouldComeFirst(nodes_[from], end)))
         return;
     const CheckId state = CheckId::ofState(edge.node);
@@ -236,13 +236,7 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
     if (ofMotion == 0.0)
         return;
     noteStep(sum_(g, end.h) - estimateThrough(nodes_[from]));
-    end.g = g;
-    end.parent = from;
-    end.step = step(edge);
-    end.motion = successors_.motionOf(edge);
-    end.guarded = !successors_.guardsOf(edge).empty();
-    guarded_ = guarded_ || end.guarded;
-    moves_ = moves_ || end.motion;
+    takeWay(end, from, edge, g);
     end.ofState = verdict == Verdict::Valid ? 1.0F : static_cast<float>(predictor_.probabilityValid(edge.node));
     end.ofMotion = static_cast<float>(ofMotion);
     end.probability = nodes_[from].probability * static_cast<double>(end.ofState * end.ofMotion);
@@ -252,18 +246,26 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
     push(edge.node);
 }
 
-/// Of equally good ways to a node the search takes the one that it finds first, and asks for that one's motion.
-void RunAheadPolicy::settleTie(NodeId from, const lattice::Successors::Edge& edge, double g)
+/// Lets the shadow's way to a node end with this motion.
+void RunAheadPolicy::takeWay(Node& end, NodeId from, const lattice::Successors::Edge& edge, double g)
 {
-    Node& end = nodes_[edge.node];
-    const std::optional<CheckId> motion = successors_.motionOf(edge);
-    if (!motion || end.status == Status::Unseen || end.parent == lattice::kNoNode || end.parent == from ||
-        broker_.verdict(*motion) == Verdict::Invalid || !isFoundBefore(from, g, end))
-        return;
     end.g = g;
     end.parent = from;
-    end.step = step(edge);
-    end.motion = motion;
+    end.step = static_cast<std::uint16_t>(&edge - successors_.edges.data());
+    end.motion = successors_.motionOf(edge);
+    end.guarded = !successors_.guardsOf(edge).empty();
+    guarded_ = guarded_ || end.guarded;
+    moves_ = moves_ || end.motion;
+}
+
+/// Of equally good ways to a node the search takes the one that it finds first, and asks for that one's motion.
+void RunAheadPolicy::settleTie(NodeId from, const lattice::Successors::Edge& edge, double g, CheckId motion)
+{
+    Node& end = nodes_[edge.node];
+    if (end.status == Status::Unseen || end.parent == lattice::kNoNode || end.parent == from ||
+        broker_.verdict(motion) == Verdict::Invalid || !isFoundBefore(from, g, end))
+        return;
+    takeWay(end, from, edge, g);
     if (end.status == Status::Closed && broker_.verdict(CheckId::ofState(edge.node)) == Verdict::Valid)
         emitMotionTo(edge.node, edge.node);
 }
@@ -526,11 +528,6 @@ bool RunAheadPolicy::isExpandedBefore(NodeId node, NodeId other) const
         other = b.parent;
     }
     return false;
-}
-
-std::uint16_t RunAheadPolicy::step(const lattice::Successors::Edge& edge) const
-{
-    return static_cast<std::uint16_t>(&edge - successors_.edges.data());
 }
 
 /// Whether the search expands `node` before `other`: then what it learns there comes in time.

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "TextGrid.h"
+#include "specplan/speculation/LearningPredictor.h"
 
 namespace specplan::speculation
 {
@@ -114,6 +117,29 @@ TEST(RunAheadPolicy, ProposesInTheOrderInWhichTheSearchNeedsThem)
     ASSERT_GE(proposed.size() + 8, first.checked.size()) << "all but those around the goal";
     for (std::size_t i = 0; i < proposed.size(); ++i)
         ASSERT_EQ(at(second, proposed[i]), at(first, first.checked[i])) << i;
+}
+
+/// A lattice has many equally good ways, and the search asks for the motion of the one that it finds first.
+TEST(RunAheadPolicy, ForeseesWhichOfEquallyGoodWaysTheSearchTakes)
+{
+    std::vector<std::string> rows(40, std::string(60, '.'));
+    std::mt19937 random(7);
+    for (std::string& row : rows)
+        for (char& cell : row)
+            cell = random() % 4 == 0 ? '#' : '.';
+    rows[5][3] = 'S';
+    rows[33][55] = 'G';
+    const auto secondsWith = [&rows](unsigned workers)
+    {
+        TextGrid grid(rows, workers, true);
+        LearningPredictor learning(grid.lattice);
+        RunAheadPolicy policy(grid.lattice, grid.broker, grid.search, learning, 1.0);
+        if (workers > 1)
+            grid.use(policy);
+        EXPECT_EQ(grid.run(), SearchStatus::Solved);
+        return grid.broker.now();
+    };
+    EXPECT_GT(secondsWith(1) / secondsWith(32), 21.0);
 }
 }  // namespace
 }  // namespace specplan::speculation

@@ -35,13 +35,15 @@ struct PlannerSettings
     /// Whether every wait lasts until all running checks are back, as in the paper (`barrier`). For reproduction only.
     bool barrier = false;
 
-    /// When states and motions are checked (`evaluation`): "eager", as soon as an expansion meets them, which is A*; or
-    /// "lazy", once they lie on a path that may be the best or border on an obstacle that was met, which needs fewer
-    /// checks and more time of the search's own. Lazily only for path length and goals that are states.
+    /// When states and motions are checked (`evaluation`): "eager", which is A*: states as soon as an
+    /// expansion meets them, the inside of a motion when the motion's end is about to be expanded; or "lazy", once they
+    /// lie on a path that may be the best or border on an obstacle that was met, which needs fewer checks and more time
+    /// of the search's own. Lazily only for path length and goals that are states.
     std::string evaluation = "eager";
 
     /// Weight of the heuristic (`weight`), 1 to 1e9: the cost is at most this many times the lattice optimum. 0
-    /// chooses: 1 up to four axes, 3 up to seven, 5 above. Of no effect where the objective does not add up costs.
+    /// chooses: 1 up to four axes, 3 up to seven, 5 above; 10 for a first path that better ones follow. Of no effect
+    /// where the objective does not add up costs.
     double weight = 0.0;
 
     /// Whether to go on while there is time (`anytime`): with smaller weights, then on finer lattices. Better paths are

@@ -56,10 +56,10 @@ public:
     ~SpeculativeAStar() override;
 
     /// Searches until a goal is reached, none can be, or `ptc` says stop; a later call goes on. `ptc` is evaluated in
-    /// the calling thread only, once per expansion (and now and then while an expansion takes longer than 50 ms).
-    /// \return EXACT_SOLUTION; APPROXIMATE_SOLUTION or TIMEOUT if stopped; INFEASIBLE (ABORT before OMPL 1.6) if no
-    /// goal can be reached on this lattice; INVALID_START; INVALID_GOAL; UNRECOGNIZED_GOAL_TYPE; CRASH if a check
-    /// threw.
+    /// the calling thread only, before each expansion and each motion's check (and now and then while an expansion
+    /// takes longer than 50 ms). \return EXACT_SOLUTION; APPROXIMATE_SOLUTION or TIMEOUT if stopped; INFEASIBLE (ABORT
+    /// before OMPL 1.6) if no goal can be reached on this lattice; INVALID_START; INVALID_GOAL; UNRECOGNIZED_GOAL_TYPE;
+    /// CRASH if a check threw.
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
     using ompl::base::Planner::solve;
 

@@ -102,7 +102,8 @@ private:
     void relaxFrom(lattice::NodeId node);
     void relax(lattice::NodeId from, const lattice::Successors::Edge& edge);
     [[nodiscard]] double checkMotion(lattice::NodeId from, const lattice::Successors::Edge& edge, bool endIsValid);
-    void settleTie(lattice::NodeId from, const lattice::Successors::Edge& edge, double g);
+    void takeWay(Node& end, lattice::NodeId from, const lattice::Successors::Edge& edge, double g);
+    void settleTie(lattice::NodeId from, const lattice::Successors::Edge& edge, double g, lattice::CheckId motion);
     [[nodiscard]] bool isFoundBefore(lattice::NodeId from, double g, const Node& end) const;
     void push(lattice::NodeId id);
     void emit(lattice::CheckId check, lattice::NodeId from);
@@ -124,7 +125,6 @@ private:
     [[nodiscard]] bool isOnTheWay(lattice::CheckId motion) const;
     [[nodiscard]] bool isChild(lattice::NodeId node, lattice::NodeId parent) const;
     [[nodiscard]] bool isExpandedBefore(lattice::NodeId node, lattice::NodeId other) const;
-    [[nodiscard]] std::uint16_t step(const lattice::Successors::Edge& edge) const;
     [[nodiscard]] bool wouldComeFirst(const Node& node, const Node& other) const;
     [[nodiscard]] double costOf(const lattice::Successors::Edge& edge) const;
     void noteStep(double change);
