@@ -165,7 +165,9 @@ bool AStar::confirmWay(NodeId node)
     double g = way.g;
     if (valid && lattice_.motionCosts() != nullptr)  // so far there was a lower bound; the check has told the cost
         g = sum_(way.parentG, lattice_.motionCosts()->known(way.motion.motion()));
-    if (valid && improves(g, nodes_[node]))
+    // Where only the check tells the cost, an older way may turn out to be as good.
+    const bool wasFirst = !nodes_[node].closed && g == nodes_[node].g && way.age < nodes_[node].age;
+    if (valid && (improves(g, nodes_[node]) || wasFirst))
         settle(node, g, way.age, way.parent);
     else
         place(node);

@@ -246,10 +246,11 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
     push(edge.node);
 }
 
-/// Lets the shadow's way to a node end with this motion.
+/// Lets the shadow's way to a node end with this motion. Never makes the node dearer, not even by rounding: with parents
+/// that are no dearer than their children the ways are a tree.
 void RunAheadPolicy::takeWay(Node& end, NodeId from, const lattice::Successors::Edge& edge, double g)
 {
-    end.g = g;
+    end.g = std::min(end.g, g);
     end.parent = from;
     end.step = static_cast<std::uint16_t>(&edge - successors_.edges.data());
     end.motion = successors_.motionOf(edge);
@@ -357,7 +358,7 @@ void RunAheadPolicy::learned(CheckId check, bool valid)
         return;
     if (check.isMotion() && nodes_[id].parent != lattice_.motion(check.motion()).from)
         return;
-    if (!valid && !check.isMotion() && nodes_[id].status == Status::Open)
+    if (!valid && !check.isMotion() && nodes_[id].status == Status::Open && nodes_[id].closedAs == 0)
         forget(id);  // nothing hangs on it, and no other way leads to it
     else if (!valid)
         retract(id);
@@ -437,6 +438,7 @@ void RunAheadPolicy::forget(NodeId id)
         open_.erase(id);
     node.status = Status::Unseen;
     node.g = kUnreached;
+    node.closedAs = 0;
     node.parent = lattice::kNoNode;
 }
 

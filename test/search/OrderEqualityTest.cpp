@@ -77,12 +77,6 @@ std::unique_ptr<speculation::Policy> makePolicy(const std::string& name, lattice
     return std::make_unique<speculation::DirectionPolicy>(lattice, broker, name == "direction" ? 4 : 1);
 }
 
-Cell cellOf(const lattice::Lattice& lattice, NodeId node)
-{
-    const auto coordinates = lattice.coordinates(node);
-    return {coordinates.begin(), coordinates.end()};
-}
-
 void expectCountsAddUp(const validity::CheckStatistics& counts)
 {
     EXPECT_EQ(counts.speculativeChecks,
@@ -97,6 +91,9 @@ void expectSameSearch(const RandomProblem& problem, const CellSolution& referenc
 {
     lattice::Lattice lattice(std::make_unique<lattice::GridNeighbourhood>(problem.box(), problem.steps()));
     const lattice::GridHeuristic heuristic = problem.heuristic(lattice);
+    ProblemCosts costs(problem, lattice);
+    if (problem.costs() != CostsBefore::Known)
+        lattice.setMotionCosts(&costs);
     checker.open(problem, lattice);
     validity::Broker broker(*configuration.executor);
     broker.setBarrier(configuration.barrier);
@@ -159,7 +156,7 @@ TEST(OrderEquality, EveryExecutorPolicyAndThreadCountMatchesTheSerialReference)
     std::uint64_t solved = 0;
     for (std::uint64_t seed = 1; seed <= problemCount(); ++seed)
     {
-        const RandomProblem problem(seed);
+        const RandomProblem problem(seed, static_cast<CostsBefore>(seed % 3));
         const CellSolution reference = referenceAStar(problem.forReference());
         solved += reference.path.empty() ? 0 : 1;
         for (Configuration& configuration : configurations)

@@ -20,12 +20,21 @@
 
 namespace specplan::test
 {
+/// What a problem tells of a motion's cost before it is checked.
+enum class CostsBefore
+{
+    Known,
+    Distance,  ///< at least the distance; the cost is up to a third more
+    Nothing    ///< at least 0; the cost is that of going uphill, so that many ways differ by rounding only
+
+};
+
 /// A box of cells with random obstacles, random bad motions, several starts and goals; everything follows from the
 /// seed.
 class RandomProblem
 {
 public:
-    explicit RandomProblem(std::uint64_t seed) : seed_(seed)
+    explicit RandomProblem(std::uint64_t seed, CostsBefore costs = CostsBefore::Known) : seed_(seed), costs_(costs)
     {
         std::mt19937_64 random(seed);
         const auto below = [&random](std::uint64_t n) { return static_cast<int>(random() % n); };
@@ -77,6 +86,33 @@ public:
                static_cast<double>(util::mix(draw64(from, 2), draw64(to, 3))) * 0x1p-64 >= motionDensity_;
     }
 
+    /// What a valid motion costs.
+    [[nodiscard]] double motionCost(const Cell& from, const Cell& to) const
+    {
+        switch (costs_)
+        {
+            case CostsBefore::Known:
+                break;
+            case CostsBefore::Distance:
+                return distance(from, to) *
+                       (1.0 + 0.1 * static_cast<double>(util::mix(draw64(from, 4), draw64(to, 5)) % 4));
+            case CostsBefore::Nothing:
+                return std::max(height(to) - height(from), 0.0) + 0.1 * distance(from, to);
+        }
+        return distance(from, to);
+    }
+
+    /// What is known of that without a check.
+    [[nodiscard]] double lowerBound(const Cell& from, const Cell& to) const
+    {
+        return costs_ == CostsBefore::Nothing ? 0.0 : distance(from, to);
+    }
+
+    [[nodiscard]] CostsBefore costs() const
+    {
+        return costs_;
+    }
+
     [[nodiscard]] lattice::GridSteps steps() const
     {
         lattice::GridSteps steps;
@@ -99,7 +135,7 @@ public:
 
     [[nodiscard]] lattice::GridHeuristic heuristic(const lattice::Lattice& lattice) const
     {
-        lattice::GridHeuristic heuristic(lattice, spacing_, connectivity_);
+        lattice::GridHeuristic heuristic(lattice, known(spacing_), connectivity_);
         for (const Cell& goal : goals_)
             heuristic.addGoal({std::vector<double>(goal.begin(), goal.end()), {}});
         return heuristic;
@@ -129,12 +165,34 @@ private:
         return static_cast<double>(draw64(cell, salt)) * 0x1p-64;
     }
 
+    [[nodiscard]] static double height(const Cell& cell)
+    {
+        double height = 0.0;
+        for (const int coordinate : cell)
+            height += 0.37 * coordinate;
+        return height;
+    }
+
+    [[nodiscard]] double distance(const Cell& from, const Cell& to) const
+    {
+        Cell offset;
+        for (std::size_t axis = 0; axis < from.size(); ++axis)
+            offset.push_back(to[axis] - from[axis]);
+        return stepCost(offset);
+    }
+
     [[nodiscard]] double stepCost(const Cell& offset) const
     {
         double squared = 0.0;
         for (std::size_t axis = 0; axis < offset.size(); ++axis)
             squared += offset[axis] * spacing_[axis] * (offset[axis] * spacing_[axis]);
         return std::sqrt(squared);
+    }
+
+    /// The spacing as the heuristic knows it: without a bound on costs there is no estimate but 0.
+    [[nodiscard]] std::vector<double> known(const std::vector<double>& spacing) const
+    {
+        return costs_ == CostsBefore::Nothing ? std::vector<double>(spacing.size(), 0.0) : spacing;
     }
 
     [[nodiscard]] double estimate(const Cell& cell) const
@@ -145,7 +203,7 @@ private:
             std::vector<double> distance;
             for (std::size_t axis = 0; axis < cell.size(); ++axis)
                 distance.push_back(goal[axis] - cell[axis]);
-            nearest = std::min(nearest, lattice::gridDistance(distance, spacing_, connectivity_));
+            nearest = std::min(nearest, lattice::gridDistance(distance, known(spacing_), connectivity_));
         }
         return nearest;
     }
@@ -185,7 +243,7 @@ private:
                     changed += offset[axis] != 0 ? 1 : 0;
                 }
                 if (changed >= 1 && changed <= connectivity_ && inside(next))
-                    out.emplace_back(next, stepCost(offset));
+                    out.emplace_back(next, motionCost(cell, next));
             });
         return out;
     }
@@ -212,6 +270,7 @@ private:
     }
 
     std::uint64_t seed_;
+    CostsBefore costs_;
     Cell size_;
     double density_;
     double motionDensity_;
@@ -221,6 +280,40 @@ private:
     std::vector<double> spacing_;
     std::vector<Cell> starts_;
     std::set<Cell> goals_;
+};
+
+inline Cell cellOf(const lattice::Lattice& lattice, lattice::NodeId node)
+{
+    const auto coordinates = lattice.coordinates(node);
+    return {coordinates.begin(), coordinates.end()};
+}
+
+/// The costs of a problem where only a check tells them.
+class ProblemCosts : public lattice::MotionCosts
+{
+public:
+    ProblemCosts(const RandomProblem& problem, const lattice::Lattice& lattice) : problem_(problem), lattice_(lattice)
+    {
+    }
+
+    void makeRoom(std::size_t) override
+    {
+    }
+
+    [[nodiscard]] double lowerBound(lattice::NodeId from, lattice::NodeId to) const override
+    {
+        return problem_.lowerBound(cellOf(lattice_, from), cellOf(lattice_, to));
+    }
+
+    [[nodiscard]] double known(lattice::MotionId motion) const override
+    {
+        const lattice::Lattice::Motion& asked = lattice_.motion(motion);
+        return problem_.motionCost(cellOf(lattice_, asked.from), cellOf(lattice_, asked.to));
+    }
+
+private:
+    const RandomProblem& problem_;
+    const lattice::Lattice& lattice_;
 };
 
 /// Answers the checks of one problem after another, and proves the promises about calls: at most once per check, at
@@ -255,13 +348,9 @@ public:
         const std::size_t index = check.isMotion() ? 8192U + check.motion() : check.node();
         if (index < called_.size())
             violations_ += called_[index]++ > 0 ? 1 : 0;
-        if (const auto n = ++calls_; delay_ && n % 7 == 0)
+        if (const auto n = ++calls_; delay_ && n % 23 == 0)
             std::this_thread::sleep_for(std::chrono::microseconds(n % 60));
-        const auto cell = [this](lattice::NodeId node)
-        {
-            const auto coordinates = lattice_->coordinates(node);
-            return Cell(coordinates.begin(), coordinates.end());
-        };
+        const auto cell = [this](lattice::NodeId node) { return cellOf(*lattice_, node); };
         const bool valid = check.isMotion() ? problem_->isMotionValid(cell(lattice_->motion(check.motion()).from),
                                                                       cell(lattice_->motion(check.motion()).to))
                                             : problem_->isStateValid(cell(check.node()));
