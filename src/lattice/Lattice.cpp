@@ -81,6 +81,15 @@ MotionId Lattice::motionsOf(NodeId node)
     return firstMotion_[node];
 }
 
+/// Where a motion leads. It is written once, before its id leaves: workers may be reading it later on.
+NodeId Lattice::endOf(MotionId motion, const Coordinate* coordinates)
+{
+    Motion& known = motions_[motion];
+    if (known.to == kNoNode)
+        known.to = nodes_.intern(coordinates);
+    return known.to;
+}
+
 void Lattice::successors(NodeId node, Successors& out)
 {
     out.edges.clear();
@@ -90,27 +99,48 @@ void Lattice::successors(NodeId node, Successors& out)
         const std::size_t n = dimension();
         neighbourhood_->steps(nodes_.coordinates(node).data(), steps_);
         const bool checksAll = motionCosts_ != nullptr;
-        const MotionId first = checksAll || neighbourhood_->hasMotionChecks() ? motionsOf(node) : 0;
+        const bool hasMotions = checksAll || neighbourhood_->hasMotionChecks();
+        const MotionId first = hasMotions ? motionsOf(node) : 0;
         for (std::size_t i = 0; i < steps_.count; ++i)
         {
             const Steps::Step& step = steps_.steps[i];
             const auto firstInner = static_cast<std::uint32_t>(out.inner.size());
-            const NodeId end = nodes_.intern(&steps_.ends[i * n]);
+            const NodeId end =
+                hasMotions ? endOf(first + step.index, &steps_.ends[i * n]) : nodes_.intern(&steps_.ends[i * n]);
             for (std::size_t guard = 0; guard < step.guards; ++guard)
                 out.inner.push_back(CheckId::ofState(nodes_.intern(&steps_.guards[(step.firstGuard + guard) * n])));
             if (step.motionCheck || checksAll)
-            {
-                // A motion is written once, before its id leaves: workers may be reading it later on.
-                if (Motion& motion = motions_[first + step.index]; motion.to != end)
-                    motion.to = end;
                 out.inner.push_back(CheckId::ofMotion(first + step.index));
-            }
             out.edges.push_back({end, costOf(node, end, step.cost), firstInner,
                                  static_cast<std::uint32_t>(out.inner.size()) - firstInner});
         }
     }
     if (!handMade_.empty())
         addHandMade(node, out);
+}
+
+bool Lattice::hasMotions(NodeId node) const noexcept
+{
+    return node < firstMotion_.size() && firstMotion_[node] != kNoMotion;
+}
+
+void Lattice::neighbours(NodeId node, std::vector<NodeId>& out)
+{
+    out.clear();
+    if (!hasMotions(node))
+    {
+        successors(node, successors_);
+        for (const Successors::Edge& edge : successors_.edges)
+            out.push_back(edge.node);
+        return;
+    }
+    for (MotionId motion = firstMotion_[node], last = motion + maxSteps(); motion != last; ++motion)
+        if (motions_[motion].to != kNoNode)
+            out.push_back(motions_[motion].to);
+    if (const auto made = handMade_.find(node); made != handMade_.end())
+        for (const HandMade& edge : made->second)
+            if (edge.connected)
+                out.push_back(edge.to);
 }
 
 void Lattice::addHandMade(NodeId node, Successors& out) const

@@ -18,23 +18,23 @@ NearbyVerdicts::NearbyVerdicts(lattice::Lattice& lattice) : lattice_(lattice)
 void NearbyVerdicts::add(lattice::NodeId node, bool valid)
 {
     meet(node);
-    for (const lattice::Successors::Edge& edge : neighbours_.edges)
-        ++countOf(edge.node, valid);
+    for (const lattice::NodeId neighbour : neighbours_)
+        ++countOf(neighbour, valid);
 }
 
 void NearbyVerdicts::remove(lattice::NodeId node, bool valid)
 {
     meet(node);
-    for (const lattice::Successors::Edge& edge : neighbours_.edges)
-        --countOf(edge.node, valid);
+    for (const lattice::NodeId neighbour : neighbours_)
+        --countOf(neighbour, valid);
 }
 
 void NearbyVerdicts::meet(lattice::NodeId node)
 {
-    neighbours_.edges.clear();
+    neighbours_.clear();
     if (lattice_.maxSteps() > kMostNeighbours)
         return;
-    lattice_.successors(node, neighbours_);
+    lattice_.neighbours(node, neighbours_);
     if (counts_.size() < lattice_.size())
         counts_.resize(std::max(lattice_.size(), counts_.size() * 2));
 }

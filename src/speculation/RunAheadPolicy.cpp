@@ -21,6 +21,10 @@ constexpr double kCaution = 1.0;
 /// Below this probability a node is delayed further.
 constexpr double kImprobable = 0.2;
 
+/// A motion more likely than this delays nothing: many are as likely, ways to a node differ by a few of them, and the
+/// order of equally good ways would be lost.
+constexpr double kLikelyMotion = 0.8;
+
 /// The shadow stops at a goal that the search is this likely to reach. Otherwise it goes on: workers would have nothing
 /// to do.
 constexpr double kSure = 0.9;
@@ -127,7 +131,7 @@ void RunAheadPolicy::importFrontier()
         node.motion = way.motion;
         node.ofMotion = way.motion ? static_cast<float>(predictor_.probabilityMotionValid()) : 1.0F;
         node.probability = static_cast<double>(node.ofMotion);
-        node.delay = delayFor(node.probability);
+        node.delay = delayForMotion(node.probability);
         node.guarded = false;  // no question any more
         node.status = Status::Open;
         open_.push(entry.item, {entry.key.f, entry.key.g, pushes_++});
@@ -168,15 +172,25 @@ void RunAheadPolicy::follow(NodeId id)
 /// The search takes one of several equally good ways, the shadow maybe another: now it is known which.
 void RunAheadPolicy::followWaysFrom(NodeId id)
 {
-    lattice_.successors(id, successors_);
+    lattice_.neighbours(id, neighbours_);
     makeRoom();
+    const auto isElsewhere = [&](NodeId end)
+    {
+        if (nodes_[end].status != Status::Closed || frontier_.isExpanded(end))
+            return false;
+        const FrontierView::Way way = frontier_.bestWay(end);
+        return way.parent == id && way.motion && way.motion != nodes_[end].motion;
+    };
+    if (std::ranges::none_of(neighbours_, isElsewhere))
+        return;
+    lattice_.successors(id, successors_);
     for (const lattice::Successors::Edge& edge : successors_.edges)
     {
-        Node& end = nodes_[edge.node];
-        if (end.status != Status::Closed || frontier_.isExpanded(edge.node))
+        if (!isElsewhere(edge.node))
             continue;
+        Node& end = nodes_[edge.node];
         const FrontierView::Way way = frontier_.bestWay(edge.node);
-        if (way.parent != id || !way.motion || way.motion != successors_.motionOf(edge) || !isTie(way.cost, end.g))
+        if (way.motion != successors_.motionOf(edge) || !isTie(way.cost, end.g))
             continue;
         takeWay(end, id, edge, way.cost);
         emitMotionTo(edge.node, edge.node);
@@ -240,14 +254,14 @@ void RunAheadPolicy::relax(NodeId from, const lattice::Successors::Edge& edge)
     end.ofState = verdict == Verdict::Valid ? 1.0F : static_cast<float>(predictor_.probabilityValid(edge.node));
     end.ofMotion = static_cast<float>(ofMotion);
     end.probability = nodes_[from].probability * static_cast<double>(end.ofState * end.ofMotion);
-    end.delay =
-        nodes_[from].delay + delayFor(static_cast<double>(end.ofState)) + delayFor(static_cast<double>(end.ofMotion));
+    end.delay = nodes_[from].delay + delayFor(static_cast<double>(end.ofState)) +
+                delayForMotion(static_cast<double>(end.ofMotion));
     end.status = Status::Open;
     push(edge.node);
 }
 
-/// Lets the shadow's way to a node end with this motion. Never makes the node dearer, not even by rounding: with parents
-/// that are no dearer than their children the ways are a tree.
+/// Lets the shadow's way to a node end with this motion. Never makes the node dearer, not even by rounding: with
+/// parents that are no dearer than their children the ways are a tree.
 void RunAheadPolicy::takeWay(Node& end, NodeId from, const lattice::Successors::Edge& edge, double g)
 {
     end.g = std::min(end.g, g);
@@ -308,6 +322,11 @@ double RunAheadPolicy::estimateThrough(const Node& node) const
 double RunAheadPolicy::delayFor(double probability) const
 {
     return std::max(std::log(kImprobable / probability), 0.0) - caution_ * std::log(probability);
+}
+
+double RunAheadPolicy::delayForMotion(double probability) const
+{
+    return probability > kLikelyMotion ? 0.0 : delayFor(probability);
 }
 
 /// Emits the unknown guards of a motion once they are worth it. \return the probability that the motion is valid.
@@ -372,7 +391,7 @@ void RunAheadPolicy::confirmState(NodeId id)
 {
     const double known = static_cast<double>(nodes_[id].ofState);
     nodes_[id].ofState = 1.0F;
-    raise(id, known);
+    raise(id, known, delayFor(known));
     if (nodes_[id].guarded)
         emitGuardsOf(id);
     if (nodes_[id].status == Status::Closed)
@@ -383,7 +402,7 @@ void RunAheadPolicy::confirmMotion(NodeId id)
 {
     const double known = static_cast<double>(nodes_[id].ofMotion);
     nodes_[id].ofMotion = 1.0F;
-    raise(id, known);
+    raise(id, known, delayForMotion(known));
 }
 
 /// The shadow goes on from the end of this motion, and the end is valid: so the search will ask for its inside.
@@ -407,12 +426,11 @@ void RunAheadPolicy::emitGuardsOf(NodeId id)
                     emit(guard, parent);
 }
 
-/// A probability has become certainty: all that hangs on it is more likely by this factor.
-void RunAheadPolicy::raise(NodeId root, double known)
+/// A probability has become certainty: all that hangs on it is more likely by this factor, and comes sooner.
+void RunAheadPolicy::raise(NodeId root, double known, double delay)
 {
     if (known == 1.0)
         return;
-    const double delay = delayFor(known);
     subtree_.assign(1, root);
     for (std::size_t i = 0; i < subtree_.size(); ++i)
     {
@@ -424,10 +442,10 @@ void RunAheadPolicy::raise(NodeId root, double known)
             push(id);
             continue;
         }
-        lattice_.successors(id, around_);
-        for (const lattice::Successors::Edge& edge : around_.edges)
-            if (isChild(edge.node, id))
-                subtree_.push_back(edge.node);
+        lattice_.neighbours(id, neighbours_);
+        for (const NodeId neighbour : neighbours_)
+            if (isChild(neighbour, id))
+                subtree_.push_back(neighbour);
     }
 }
 
@@ -450,13 +468,13 @@ void RunAheadPolicy::retract(NodeId root)
     for (std::size_t i = 0; i < subtree_.size(); ++i)
     {
         const NodeId id = subtree_[i];
-        lattice_.successors(id, around_);
-        for (const lattice::Successors::Edge& edge : around_.edges)
+        lattice_.neighbours(id, neighbours_);
+        for (const NodeId neighbour : neighbours_)
         {
-            if (isChild(edge.node, id))
-                subtree_.push_back(edge.node);
-            else if (isClosed(edge.node))
-                rim_.push_back(edge.node);
+            if (isChild(neighbour, id))
+                subtree_.push_back(neighbour);
+            else if (isClosed(neighbour))
+                rim_.push_back(neighbour);
         }
         forget(id);
     }

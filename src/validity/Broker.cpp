@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/validity/Broker.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -12,12 +13,21 @@ namespace
 {
 /// How long a wait may last before the interrupt is asked again.
 constexpr std::chrono::milliseconds kPatience{50};
-/// Seconds of thinking after which the source is judged, and its rest as a multiple of them if it was in vain.
+/// Seconds of thinking after which the source is judged.
 constexpr double kTrial = 0.002;
-/// The source may take this much time for a second of checks.
+/// The source may take this much time for a second of checks that it names, and for a second of all checks so far: now
+/// and then it has to think for long, to grow or to begin anew.
 constexpr double kMostThinking = 0.5;
+constexpr double kMostSpike = 0.01;
+/// How long it rests if it was in vain, as a multiple of its thinking, and how much longer each further time.
 constexpr double kRest = 10.0;
+constexpr double kLongerRest = 2.0;
+constexpr double kMostRest = 1000.0;
 }  // namespace
+
+Broker::Broker(Executor& executor) : executor_(executor), sourceRest_(kRest)
+{
+}
 
 bool Broker::demand(std::span<const CheckId> checks)
 {
@@ -218,17 +228,20 @@ void Broker::askSource()
 }
 
 /// Whether the source is worth its time: it must not take the search longer to find checks than to run them. If it is
-/// not it gets a rest, ten times as long as it took. (On a virtual clock thinking takes no time.)
+/// not it gets a rest, longer each time. (On a virtual clock thinking takes no time.)
 bool Broker::sourcePays()
 {
     if (sourceSeconds_ > kTrial)
     {
-        if (sourceSeconds_ > kMostThinking * sourceChecks_)
+        if (sourceSeconds_ > kMostThinking * sourceChecks_ + kMostSpike * statistics_.runSeconds)
         {
-            sourcePaused_ = executor_.now() + kRest * sourceSeconds_;
+            sourcePaused_ = executor_.now() + sourceRest_ * sourceSeconds_;
+            sourceRest_ = std::min(sourceRest_ * kLongerRest, kMostRest);
             source_->missed();
             sourceListens_ = false;
         }
+        else
+            sourceRest_ = kRest;
         sourceSeconds_ = 0.0;
         sourceChecks_ = 0.0;
     }

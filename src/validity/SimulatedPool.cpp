@@ -60,8 +60,11 @@ unsigned SimulatedPool::room() const noexcept
 {
     if (runsInline())
         return 0;
-    const std::size_t most = PoolRules::mostInHand(workers_, searchThreadWorks(), durations_);
-    return inHand() < most ? static_cast<unsigned>(most - inHand()) : 0;
+    CountByKind queued{};
+    for (const auto* queue : {&demanded_, &speculative_})
+        for (const CheckId check : *queue)
+            ++queued[kindOf(check)];
+    return supply_.room(workers_, searchThreadWorks(), inHand(), queued);
 }
 
 /// Whether something has finished by now, and at least as many as are queued: each that finishes takes another one.
@@ -163,7 +166,7 @@ Completion SimulatedPool::run(CheckId check)
 {
     Completion completion = runCheck(checker_, check, 0);
     completion.seconds = std::max(timing_.ofCheck(check, completion.valid), 0.0);
-    durations_.add(completion.seconds);
+    supply_.learn(check, completion.seconds);
     return completion;
 }
 

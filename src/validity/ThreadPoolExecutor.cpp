@@ -82,13 +82,13 @@ bool ThreadPoolExecutor::searchThreadWorks() const noexcept
 
 unsigned ThreadPoolExecutor::room() const noexcept
 {
-    const std::size_t wanted = PoolRules::mostInHand(usedWorkers(), searchThreadWorks(), durations_);
-    return inHand_ < wanted ? static_cast<unsigned>(wanted - inHand_) : 0;
+    return supply_.room(usedWorkers(), searchThreadWorks(), inHand_,
+                        {queued_[0].load(std::memory_order_relaxed), queued_[1].load(std::memory_order_relaxed)});
 }
 
 bool ThreadPoolExecutor::runsDry() const noexcept
 {
-    return queued_.load(std::memory_order_relaxed) == 0 && done_.load(std::memory_order_relaxed) > 0;
+    return queued() == 0 && done_.load(std::memory_order_relaxed) > 0;
 }
 
 void ThreadPoolExecutor::submit(CheckId check, Urgency urgency)
@@ -98,7 +98,7 @@ void ThreadPoolExecutor::submit(CheckId check, Urgency urgency)
     {
         const std::lock_guard lock(mutex_);
         (urgency == Urgency::Demanded ? demanded_ : speculative_).push_back(check);
-        queued_.fetch_add(1, std::memory_order_relaxed);
+        queued_[kindOf(check)].fetch_add(1, std::memory_order_relaxed);
         wake = sleepers_ > 0 && running_ < threadLimit_;
     }
     ++inHand_;
@@ -190,7 +190,7 @@ void ThreadPoolExecutor::learn(const Completion& completion)
         busyChecks_.add(completion.busyShare > kBusyShare);
         setThreadLimit(usedWorkers() - (searchThreadWorks() ? 1 : 0));
     }
-    durations_.add(completion.seconds);
+    supply_.learn(completion.check, completion.seconds);
 }
 
 void ThreadPoolExecutor::setThreadLimit(unsigned limit)
@@ -213,20 +213,22 @@ void ThreadPoolExecutor::cancelQueued(std::vector<CheckId>& dropped)
         dropped.insert(dropped.end(), speculative_.begin(), speculative_.end());
         demanded_.clear();
         speculative_.clear();
-        queued_.store(0, std::memory_order_relaxed);
+        for (auto& count : queued_)
+            count.store(0, std::memory_order_relaxed);
     }
     inHand_ -= dropped.size() - before;
 }
 
 void ThreadPoolExecutor::cancelUnwanted(const std::function<bool(CheckId)>& isWanted, std::vector<CheckId>& dropped)
 {
-    if (queued_.load(std::memory_order_relaxed) == 0)
+    if (queued() == 0)
         return;
     const std::size_t before = dropped.size();
     {
         const std::lock_guard lock(mutex_);
         takeUnwanted(speculative_, isWanted, dropped);
-        queued_.store(demanded_.size() + speculative_.size(), std::memory_order_relaxed);
+        for (std::size_t i = before; i < dropped.size(); ++i)
+            queued_[kindOf(dropped[i])].fetch_sub(1, std::memory_order_relaxed);
     }
     inHand_ -= dropped.size() - before;
 }
@@ -241,7 +243,7 @@ CheckId ThreadPoolExecutor::popQueue()
     std::deque<CheckId>& queue = demanded_.empty() ? speculative_ : demanded_;
     const CheckId check = queue.front();
     queue.pop_front();
-    queued_.fetch_sub(1, std::memory_order_relaxed);
+    queued_[kindOf(check)].fetch_sub(1, std::memory_order_relaxed);
     return check;
 }
 
@@ -282,7 +284,7 @@ void ThreadPoolExecutor::waitForWork(Lock& lock)
     if (spins)
     {
         lock.unlock();
-        spin([this] { return queued_.load(std::memory_order_relaxed) > 0 || ending_.load(std::memory_order_relaxed); });
+        spin([this] { return queued() > 0 || ending_.load(std::memory_order_relaxed); });
         lock.lock();
     }
     ++sleepers_;

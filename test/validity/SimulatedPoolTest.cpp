@@ -167,20 +167,37 @@ TEST_F(SimulatedPoolTest, DemandedChecksOvertakeAndQueuedOnesCanBeTakenBack)
     EXPECT_FALSE(pool.busy());
 }
 
-TEST(PoolRules, TheSupplyGrowsWithTheSpreadOfDurations)
+TEST(Supply, LastsUntilTheSearchThreadIsBack)
 {
-    Durations equal;
-    Durations mixed;
-    for (int i = 0; i < 1000; ++i)
+    Supply equal;
+    Supply mixed;
+    for (std::uint32_t i = 0; i < 1000; ++i)
     {
-        equal.add(1e-3);
-        mixed.add(i % 2 == 0 ? 1e-3 : 10e-3);
+        equal.learn(stateCheck(i), 1e-3);
+        mixed.learn(stateCheck(i), 10e-6);
+        if (i % 10 == 0)
+            mixed.learn(CheckId::ofMotion(i), 1e-3);
     }
-    EXPECT_NEAR(equal.spread(), 1.0, 1e-9);
-    EXPECT_NEAR(mixed.spread(), 50.5 / (5.5 * 5.5), 0.1);
-    EXPECT_EQ(PoolRules::mostInHand(4, true, equal), 8U);
-    EXPECT_GE(PoolRules::mostInHand(4, true, mixed), 11U);
-    EXPECT_EQ(PoolRules::mostInHand(16, false, mixed), 16U) << "the search thread is always there";
+    EXPECT_EQ(equal.room(4, true, 0, {0, 0}), 8U);
+    EXPECT_EQ(equal.room(4, true, 4, {0, 0}), 4U);
+    EXPECT_EQ(equal.room(4, true, 6, {2, 0}), 2U);
+    EXPECT_EQ(equal.room(4, true, 8, {4, 0}), 0U);
+    EXPECT_GT(mixed.room(4, true, 24, {20, 0}), 20U) << "cheap states are gone before a motion is over";
+    EXPECT_EQ(mixed.room(4, true, 8, {0, 4}), 0U);
+}
+
+TEST(Supply, LetsNoWorkerGoWithout)
+{
+    Supply supply;
+    EXPECT_EQ(supply.room(4, true, 1, {1, 0}), 3U) << "of durations nothing is known";
+    supply.learn(stateCheck(1), 5e-3);
+    EXPECT_EQ(supply.room(16, false, 0, {0, 0}), 16U);
+    EXPECT_EQ(supply.room(16, false, 16, {0, 0}), 0U) << "the search thread is always there";
+    for (std::uint32_t i = 0; i < 1000; ++i)
+        supply.learn(stateCheck(i), 5e-3);
+    supply.learn(CheckId::ofMotion(1), 50e-3);
+    EXPECT_EQ(supply.room(4, true, 3, {0, 3}), 30U) << "three motions queued, and four workers to be kept for one each";
+    EXPECT_EQ(supply.room(4, false, 3, {0, 3}), 1U) << "more than enough, but not for the fourth";
 }
 }  // namespace
 }  // namespace specplan::validity

@@ -59,8 +59,8 @@ class Lattice
 public:
     struct Motion
     {
-        NodeId from;
-        NodeId to;
+        NodeId from = kNoNode;
+        NodeId to = kNoNode;
     };
 
     explicit Lattice(std::unique_ptr<const Neighbourhood> neighbourhood);
@@ -144,6 +144,10 @@ public:
     /// Writes all motions out of a node, always in the same order.
     void successors(NodeId node, Successors& out);
 
+    /// Writes the ends of all motions out of a node, in the same order. Much faster than `successors` where motions
+    /// have checks and the node's have been written before.
+    void neighbours(NodeId node, std::vector<NodeId>& out);
+
     /// The node that lies from `to` as `to` lies from `from`, if there is such a step.
     std::optional<NodeId> goOn(NodeId from, NodeId to);
 
@@ -170,6 +174,8 @@ private:
     };
 
     MotionId motionsOf(NodeId node);
+    [[nodiscard]] bool hasMotions(NodeId node) const noexcept;
+    [[nodiscard]] NodeId endOf(MotionId motion, const Coordinate* coordinates);
     void addHandMade(NodeId node, Successors& out) const;
     [[nodiscard]] double costOf(NodeId from, NodeId to, double ofStep) const;
     MotionId addMotion(NodeId from, NodeId to);
@@ -182,7 +188,8 @@ private:
     std::function<double(NodeId, NodeId)> stepCost_;
     MotionCosts* motionCosts_ = nullptr;
     std::size_t terminals_ = 0;
-    Steps steps_;  ///< scratch of successors()
+    Steps steps_;            ///< scratch of successors()
+    Successors successors_;  ///< scratch of neighbours()
     std::vector<Coordinate> next_;
 };
 }  // namespace specplan::lattice

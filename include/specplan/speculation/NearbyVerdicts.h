@@ -38,6 +38,6 @@ private:
 
     lattice::Lattice& lattice_;
     std::vector<Counts> counts_;  ///< by node
-    lattice::Successors neighbours_;
+    std::vector<lattice::NodeId> neighbours_;
 };
 }  // namespace specplan::speculation

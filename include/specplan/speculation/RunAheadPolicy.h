@@ -113,8 +113,9 @@ private:
     void confirmMotion(lattice::NodeId id);
     void emitMotionTo(lattice::NodeId id, lattice::NodeId from);
     void emitGuardsOf(lattice::NodeId id);
-    void raise(lattice::NodeId root, double known);
+    void raise(lattice::NodeId root, double known, double delay);
     [[nodiscard]] double delayFor(double probability) const;
+    [[nodiscard]] double delayForMotion(double probability) const;
     void forget(lattice::NodeId id);
     void retract(lattice::NodeId root);
     void retractGuarded(lattice::CheckId guard);
@@ -154,9 +155,10 @@ private:
     std::uint64_t expansions_ = 0;
     std::uint32_t followed_ = 0;  ///< expansions of the search
     std::priority_queue<Pending, std::vector<Pending>, std::greater<>> pending_;
-    std::vector<lattice::NodeId> subtree_;  ///< scratch
-    std::vector<lattice::NodeId> rim_;      ///< scratch
-    lattice::Successors successors_;        ///< scratch
-    lattice::Successors around_;            ///< scratch
+    std::vector<lattice::NodeId> subtree_;     ///< scratch
+    std::vector<lattice::NodeId> neighbours_;  ///< scratch
+    std::vector<lattice::NodeId> rim_;         ///< scratch
+    lattice::Successors successors_;           ///< scratch
+    lattice::Successors around_;               ///< scratch
 };
 }  // namespace specplan::speculation

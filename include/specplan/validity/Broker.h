@@ -26,9 +26,7 @@ class Broker
 {
 public:
     /// \param executor must outlive the broker.
-    explicit Broker(Executor& executor) : executor_(executor)
-    {
-    }
+    explicit Broker(Executor& executor);
 
     /// Where to get checks that run ahead while the search waits; nullptr for none.
     void setSource(CheckSource* source) noexcept
@@ -130,6 +128,7 @@ private:
     double sourceSeconds_ = 0.0;  ///< spent on the source's proposals lately, executor's clock
     double sourceChecks_ = 0.0;   ///< seconds of the checks that it has proposed lately
     double sourcePaused_ = 0.0;   ///< time until which the source is not asked
+    double sourceRest_;           ///< how long it rests next time, as a multiple of its thinking
     std::function<bool()> interrupt_;
     VerdictTable table_;
     std::uint16_t query_ = 1;

@@ -8,6 +8,7 @@
 
 #include "specplan/validity/Executor.h"
 #include "specplan/validity/PoolRules.h"
+#include "specplan/validity/Supply.h"
 
 namespace specplan::validity
 {
@@ -122,7 +123,7 @@ private:
     double now_ = 0.0;   ///< of the search thread, at its last call
     double seen_ = 0.0;  ///< the search's work up to there
     std::uint64_t started_ = 0;
-    Durations durations_;
+    Supply supply_;
     std::vector<Running> running_;  ///< heap, first to finish on top
     std::vector<double> idle_;      ///< since when, of the threads that have nothing to do; the latest one last
     std::deque<CheckId> demanded_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <deque>
@@ -12,6 +13,7 @@
 #include "specplan/validity/InlineRunner.h"
 #include "specplan/validity/MajorityVote.h"
 #include "specplan/validity/PoolRules.h"
+#include "specplan/validity/Supply.h"
 
 namespace specplan::validity
 {
@@ -87,6 +89,10 @@ private:
     void setThreadLimit(unsigned limit);
     [[nodiscard]] bool hasWork() const;
     [[nodiscard]] CheckId popQueue();
+    [[nodiscard]] std::size_t queued() const noexcept
+    {
+        return queued_[0].load(std::memory_order_relaxed) + queued_[1].load(std::memory_order_relaxed);
+    }
     void work(unsigned worker);
     void waitForWork(Lock& lock);
 
@@ -96,13 +102,13 @@ private:
 
     // Search thread only.
     std::size_t inHand_ = 0;   ///< submitted and not collected
-    Durations durations_;      ///< of checks
+    Supply supply_;            ///< of checks in the queue
     MajorityVote busyChecks_;  ///< whether checks keep a processor busy
     InlineRunner runner_;
     std::vector<std::thread> threads_;
 
     // Written under mutex_; read without it as hints.
-    std::atomic<std::size_t> queued_{0};
+    std::array<std::atomic<std::size_t>, 2> queued_{};  ///< states, motions
     std::atomic<std::size_t> done_{0};
     std::atomic<unsigned> threadLimit_;  ///< pool threads that may run a check now
     std::atomic<bool> ending_{false};
