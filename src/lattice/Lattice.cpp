@@ -99,14 +99,14 @@ void Lattice::successors(NodeId node, Successors& out)
         const std::size_t n = dimension();
         neighbourhood_->steps(nodes_.coordinates(node).data(), steps_);
         const bool checksAll = motionCosts_ != nullptr;
-        const bool hasMotions = checksAll || neighbourhood_->hasMotionChecks();
-        const MotionId first = hasMotions ? motionsOf(node) : 0;
+        const bool storesEnds = needsMotions();
+        const MotionId first = storesEnds ? motionsOf(node) : 0;
         for (std::size_t i = 0; i < steps_.count; ++i)
         {
             const Steps::Step& step = steps_.steps[i];
             const auto firstInner = static_cast<std::uint32_t>(out.inner.size());
             const NodeId end =
-                hasMotions ? endOf(first + step.index, &steps_.ends[i * n]) : nodes_.intern(&steps_.ends[i * n]);
+                storesEnds ? endOf(first + step.index, &steps_.ends[i * n]) : nodes_.intern(&steps_.ends[i * n]);
             for (std::size_t guard = 0; guard < step.guards; ++guard)
                 out.inner.push_back(CheckId::ofState(nodes_.intern(&steps_.guards[(step.firstGuard + guard) * n])));
             if (step.motionCheck || checksAll)

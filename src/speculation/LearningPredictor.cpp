@@ -17,7 +17,7 @@ constexpr double kBelief = 4.0;
 constexpr double kLeast = 1e-3;
 }  // namespace
 
-LearningPredictor::LearningPredictor(lattice::Lattice& lattice) : nearby_(lattice)
+LearningPredictor::LearningPredictor(lattice::Lattice& lattice) : lattice_(lattice), nearby_(lattice)
 {
     for (std::size_t valid = 0; valid < kLevels; ++valid)
         for (std::size_t invalid = 0; invalid < kLevels; ++invalid)
@@ -54,7 +54,22 @@ void LearningPredictor::learned(NodeId node, bool valid)
     Record& record = records_[kindOf(nearby_.around(node))];
     record.valid += valid ? 1.0 : 0.0;
     record.all += 1.0;
-    nearby_.add(node, valid);
+    if (!valid || lattice_.knowsNeighbours(node))
+    {
+        nearby_.add(node, valid);
+        return;
+    }
+    if (untold_.size() <= node)
+        untold_.resize(std::max<std::size_t>(lattice_.size(), 2 * untold_.size()));
+    untold_[node] = true;
+}
+
+void LearningPredictor::left(NodeId node)
+{
+    if (node >= untold_.size() || !untold_[node])
+        return;
+    untold_[node] = false;
+    nearby_.add(node, true);
 }
 
 void LearningPredictor::learnedMotion(bool valid)

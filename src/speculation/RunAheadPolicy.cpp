@@ -224,6 +224,7 @@ bool RunAheadPolicy::advance()
 void RunAheadPolicy::relaxFrom(NodeId node)
 {
     lattice_.successors(node, successors_);
+    predictor_.left(node);
     makeRoom();  // from here on no node moves
     for (const lattice::Successors::Edge& edge : successors_.edges)
         relax(node, edge);

@@ -38,6 +38,34 @@ TEST(Lattice, SuccessorsComeInTheSameOrderEveryTime)
     }
 }
 
+TEST(Lattice, NeighboursAreTheEndsOfAllMotions)
+{
+    for (const bool motionChecks : {false, true})
+    {
+        Lattice lattice = makeLattice(motionChecks);
+        const NodeId corner = lattice.node(Row{4, 2}.data());
+        const NodeId terminal = lattice.addTerminal();
+        lattice.connect(corner, terminal, 0.5);
+        EXPECT_EQ(lattice.knowsNeighbours(corner), !motionChecks);
+        std::vector<NodeId> ends;
+        lattice.neighbours(corner, ends);
+        EXPECT_TRUE(lattice.knowsNeighbours(corner));
+        Successors successors;
+        lattice.successors(corner, successors);
+        std::vector<NodeId> expected;
+        for (const Successors::Edge& edge : successors.edges)
+            expected.push_back(edge.node);
+        EXPECT_EQ(expected.size(), 4U);
+        EXPECT_EQ(ends, expected) << "met for the first time";
+        lattice.neighbours(corner, ends);
+        EXPECT_EQ(ends, expected) << "known";
+        lattice.disconnectAll();
+        lattice.neighbours(corner, ends);
+        expected.pop_back();
+        EXPECT_EQ(ends, expected);
+    }
+}
+
 TEST(Lattice, EveryMotionHasACheckOfItsOwnThatKnowsItsEnds)
 {
     Lattice lattice = makeLattice(true);

@@ -148,6 +148,12 @@ public:
     /// have checks and the node's have been written before.
     void neighbours(NodeId node, std::vector<NodeId>& out);
 
+    /// Whether `neighbours` is as fast as it gets.
+    [[nodiscard]] bool knowsNeighbours(NodeId node) const noexcept
+    {
+        return !needsMotions() || hasMotions(node);
+    }
+
     /// The node that lies from `to` as `to` lies from `from`, if there is such a step.
     std::optional<NodeId> goOn(NodeId from, NodeId to);
 
@@ -174,6 +180,10 @@ private:
     };
 
     MotionId motionsOf(NodeId node);
+    [[nodiscard]] bool needsMotions() const noexcept
+    {
+        return motionCosts_ != nullptr || neighbourhood_->hasMotionChecks();
+    }
     [[nodiscard]] bool hasMotions(NodeId node) const noexcept;
     [[nodiscard]] NodeId endOf(MotionId motion, const Coordinate* coordinates);
     void addHandMade(NodeId node, Successors& out) const;

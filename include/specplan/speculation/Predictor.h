@@ -24,6 +24,11 @@ public:
 
     /// The verdict of the inside of a motion has come in.
     virtual void learnedMotion(bool valid) = 0;
+
+    /// All successors of a node have been met.
+    virtual void left(lattice::NodeId)
+    {
+    }
 };
 
 /// Takes everything for valid.
