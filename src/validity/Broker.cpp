@@ -15,10 +15,12 @@ namespace
 constexpr std::chrono::milliseconds kPatience{50};
 /// Seconds of thinking after which the source is judged.
 constexpr double kTrial = 0.002;
-/// The source may take this much time for a second of checks that it names, and for a second of all checks so far: now
-/// and then it has to think for long, to grow or to begin anew.
-constexpr double kMostThinking = 0.5;
+/// The source may take this much time, handing over included, for a second of checks that it hands out, and for a
+/// second of all checks so far: now and then it has to think for long, to grow or to begin anew.
+constexpr double kMostThinking = 0.8;
 constexpr double kMostSpike = 0.01;
+/// What it costs the search to hand a check to another thread and to take it back, at least.
+constexpr double kHandOver = 2e-6;
 /// How long it rests if it was in vain, as a multiple of its thinking, and how much longer each further time.
 constexpr double kRest = 10.0;
 constexpr double kLongerRest = 2.0;
@@ -127,21 +129,26 @@ bool Broker::waitForMissing()
     {
         Broker& broker;
         double start = broker.executor_.now();
+        std::optional<CheckId> own{};  ///< kept from the workers, not run yet
 
         ~EndOfWait()
         {
+            if (own)
+                broker.drop({&*own, 1});
             for (const CheckId check : broker.missing_)
                 broker.table_[check].awaited = false;
             broker.awaited_ = 0;
             broker.statistics_.waitSeconds += broker.executor_.now() - start;
         }
     };
-    const EndOfWait end{*this};
+    EndOfWait wait{*this};
     sourceListens_ = sourcePaused_ == 0.0 || executor_.now() >= sourcePaused_;
     collect(std::chrono::milliseconds{0});
-    submitMissing();
-    if (awaited_ > 0)
+    wait.own = submitMissing();
+    if (awaited_ > 0 || wait.own)
         askSource();
+    if (wait.own)
+        runOwn(*std::exchange(wait.own, std::nullopt));
     double lastAsked = steadySeconds();
     while (awaited_ > 0 || (barrier_ && executor_.busy()))
     {
@@ -159,8 +166,10 @@ bool Broker::waitForMissing()
     return true;
 }
 
-void Broker::submitMissing()
+/// \return a check that this thread is to run itself, rather than wait while others do.
+std::optional<CheckId> Broker::submitMissing()
 {
+    std::optional<CheckId> own;
     for (const CheckId check : missing_)
     {
         Entry& entry = table_[check];
@@ -173,6 +182,13 @@ void Broker::submitMissing()
         }
         if (entry.verdict == Verdict::InFlight)
             executor_.promote(check);
+        else if (!own && executor_.worksHere())
+        {
+            own = check;
+            entry.verdict = Verdict::InFlight;
+            ++statistics_.demandedChecks;
+            continue;
+        }
         else
         {
             executor_.submit(check, Urgency::Demanded);
@@ -182,6 +198,20 @@ void Broker::submitMissing()
         entry.awaited = true;
         ++awaited_;
     }
+    return own;
+}
+
+void Broker::runOwn(CheckId check)
+{
+    Entry& entry = table_[check];
+    Completion completion = executor_.runHere(check);
+    record(completion);
+    if (sourceListens_ && source_ != nullptr && !entry.failed)
+        source_->learned(check, completion.valid);
+    if (entry.failed)
+        return;
+    ++statistics_.usedInline;
+    noteUse(entry);
 }
 
 /// The search asks for a verdict that is there.
@@ -221,10 +251,7 @@ void Broker::askSource()
     source_->propose(room, proposals_);
     sourceSeconds_ += executor_.now() - start;
     for (const CheckId check : proposals_)
-    {
-        sourceChecks_ += costOf(check).mean();
         prefetch(check);
-    }
 }
 
 /// Whether the source is worth its time: it must not take the search longer to find checks than to run them. If it is
@@ -233,7 +260,7 @@ bool Broker::sourcePays()
 {
     if (sourceSeconds_ > kTrial)
     {
-        if (sourceSeconds_ > kMostThinking * sourceChecks_ + kMostSpike * statistics_.runSeconds)
+        if (sourceSeconds_ > kMostThinking * sourceGain_ + kMostSpike * statistics_.runSeconds)
         {
             sourcePaused_ = executor_.now() + sourceRest_ * sourceSeconds_;
             sourceRest_ = std::min(sourceRest_ * kLongerRest, kMostRest);
@@ -243,7 +270,7 @@ bool Broker::sourcePays()
         else
             sourceRest_ = kRest;
         sourceSeconds_ = 0.0;
-        sourceChecks_ = 0.0;
+        sourceGain_ = 0.0;
     }
     return sourcePaused_ == 0.0 || executor_.now() >= sourcePaused_;
 }
@@ -278,11 +305,28 @@ bool Broker::prefetch(CheckId check)
         return false;
     if (allCheap() && executor_.canRunHere())
         return false;  // the search will run it faster itself
+    if (executor_.worksHere() && costOf(check).mean() < kHandOver && !costOf(check).knowsNothing())
+    {
+        runAheadHere(check, entry);
+        return true;
+    }
     executor_.submit(check, Urgency::Speculative);
+    sourceGain_ += costOf(check).mean() - kHandOver / kMostThinking;
     entry.verdict = Verdict::InFlight;
     entry.speculative = true;
     ++statistics_.speculativeChecks;
     return true;
+}
+
+/// Running a check ahead in this thread takes no longer than handing it out would.
+void Broker::runAheadHere(CheckId check, Entry& entry)
+{
+    ++statistics_.speculativeChecks;
+    entry.speculative = true;
+    Completion completion = executor_.runHere(check);
+    record(completion);
+    if (sourceListens_ && source_ != nullptr && !entry.failed)
+        source_->learned(check, completion.valid);
 }
 
 void Broker::collect(std::chrono::milliseconds patience)

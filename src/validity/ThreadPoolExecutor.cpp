@@ -74,7 +74,7 @@ Completion ThreadPoolExecutor::runHere(CheckId check)
     return completion;
 }
 
-bool ThreadPoolExecutor::searchThreadWorks() const noexcept
+bool ThreadPoolExecutor::worksHere() const noexcept
 {
     // It takes the number of the last worker, whose thread must then not exist.
     return PoolRules::searchThreadWorks(usedWorkers()) && threads_.size() < workers_;
@@ -82,7 +82,7 @@ bool ThreadPoolExecutor::searchThreadWorks() const noexcept
 
 unsigned ThreadPoolExecutor::room() const noexcept
 {
-    return supply_.room(usedWorkers(), searchThreadWorks(), inHand_,
+    return supply_.room(usedWorkers(), worksHere(), inHand_,
                         {queued_[0].load(std::memory_order_relaxed), queued_[1].load(std::memory_order_relaxed)});
 }
 
@@ -108,7 +108,7 @@ void ThreadPoolExecutor::submit(CheckId check, Urgency urgency)
 
 void ThreadPoolExecutor::startThreadFor(std::size_t inHand)
 {
-    const std::size_t wanted = std::min<std::size_t>(inHand, searchThreadWorks() ? usedWorkers() - 1 : usedWorkers());
+    const std::size_t wanted = std::min<std::size_t>(inHand, worksHere() ? usedWorkers() - 1 : usedWorkers());
     if (threads_.size() >= wanted)
         return;
     try
@@ -118,7 +118,7 @@ void ThreadPoolExecutor::startThreadFor(std::size_t inHand)
     catch (const std::system_error&)
     {
         // The system gives no more threads: those there are do the work, only none at all is an error.
-        if (threads_.empty() && !searchThreadWorks())
+        if (threads_.empty() && !worksHere())
             throw;
     }
 }
@@ -159,7 +159,7 @@ void ThreadPoolExecutor::take(std::vector<Completion>& out)
 /// Runs a queued check in the search thread, if that is a worker. Leaves the lock as it found it.
 bool ThreadPoolExecutor::workInstead(Lock& lock, std::vector<Completion>& out)
 {
-    if (!searchThreadWorks() || (demanded_.empty() && speculative_.empty()))
+    if (!worksHere() || (demanded_.empty() && speculative_.empty()))
         return false;
     const CheckId check = popQueue();
     lock.unlock();
@@ -188,7 +188,7 @@ void ThreadPoolExecutor::learn(const Completion& completion)
     if (completion.busyShare >= 0.0 && completion.seconds > kTellingSeconds)
     {
         busyChecks_.add(completion.busyShare > kBusyShare);
-        setThreadLimit(usedWorkers() - (searchThreadWorks() ? 1 : 0));
+        setThreadLimit(usedWorkers() - (worksHere() ? 1 : 0));
     }
     supply_.learn(completion.check, completion.seconds);
 }

@@ -5,6 +5,7 @@
 #include <exception>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -101,10 +102,12 @@ private:
     {
         return cost_[0].isCheap() && (cost_[1].isCheap() || cost_[1].knowsNothing());
     }
+    void runAheadHere(CheckId check, Entry& entry);
     void recordHere(CheckId check, Entry& entry);
     [[nodiscard]] bool sourcePays();
     [[nodiscard]] bool waitForMissing();
-    void submitMissing();
+    [[nodiscard]] std::optional<CheckId> submitMissing();
+    void runOwn(CheckId check);
     void noteReady(Entry& entry);
     void feed();
     void askSource();
@@ -126,7 +129,7 @@ private:
     bool sourceListens_ = true;   ///< the source has been told every verdict
     bool sawInvalid_ = false;     ///< since queued checks were last looked through
     double sourceSeconds_ = 0.0;  ///< spent on the source's proposals lately, executor's clock
-    double sourceChecks_ = 0.0;   ///< seconds of the checks that it has proposed lately
+    double sourceGain_ = 0.0;     ///< seconds of the checks handed out for it lately, less what handing over costs
     double sourcePaused_ = 0.0;   ///< time until which the source is not asked
     double sourceRest_;           ///< how long it rests next time, as a multiple of its thinking
     std::function<bool()> interrupt_;

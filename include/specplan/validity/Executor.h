@@ -44,6 +44,10 @@ public:
     /// Whether `runHere` may be called now.
     [[nodiscard]] virtual bool canRunHere() const noexcept = 0;
 
+    /// Whether the calling thread is one of the workers, so that it should run a check rather than wait for one. Then
+    /// `runHere` may be called, too.
+    [[nodiscard]] virtual bool worksHere() const noexcept = 0;
+
     /// Runs a check in the calling thread before it returns.
     [[nodiscard]] virtual Completion runHere(CheckId check) = 0;
 

@@ -29,6 +29,11 @@ public:
         return true;
     }
 
+    [[nodiscard]] bool worksHere() const noexcept override
+    {
+        return true;
+    }
+
     [[nodiscard]] Completion runHere(CheckId check) override
     {
         return runner_.run(checker_, check, 0);

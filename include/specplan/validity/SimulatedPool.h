@@ -57,7 +57,12 @@ public:
 
     [[nodiscard]] bool canRunHere() const noexcept override
     {
-        return runsInline() || searchThreadWorks() || inHand() == 0;
+        return worksHere() || inHand() == 0;
+    }
+
+    [[nodiscard]] bool worksHere() const noexcept override
+    {
+        return runsInline() || searchThreadWorks();
     }
 
     [[nodiscard]] Completion runHere(CheckId check) override;

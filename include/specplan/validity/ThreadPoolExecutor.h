@@ -47,8 +47,10 @@ public:
 
     [[nodiscard]] bool canRunHere() const noexcept override
     {
-        return searchThreadWorks() || inHand_ == 0;
+        return worksHere() || inHand_ == 0;
     }
+
+    [[nodiscard]] bool worksHere() const noexcept override;
 
     [[nodiscard]] Completion runHere(CheckId check) override;
     [[nodiscard]] unsigned freeWorkers() const noexcept override
@@ -80,7 +82,6 @@ private:
         return busyChecks_.yes() ? std::min(workers_, processors_) : workers_;
     }
 
-    [[nodiscard]] bool searchThreadWorks() const noexcept;
     void startThreadFor(std::size_t inHand);
     void take(std::vector<Completion>& out);
     [[nodiscard]] bool workInstead(Lock& lock, std::vector<Completion>& out);

@@ -40,6 +40,11 @@ public:
         return false;
     }
 
+    [[nodiscard]] bool worksHere() const noexcept override
+    {
+        return false;
+    }
+
     /// \throws std::logic_error: see canRunHere.
     [[nodiscard]] Completion runHere(CheckId check) override;
 
