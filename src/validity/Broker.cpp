@@ -64,7 +64,8 @@ bool Broker::demandMissing(std::span<const CheckId> checks)
 bool Broker::shouldRunHere(CheckId check) const
 {
     const CostMeter& cost = cost_[check.isMotion() ? 1 : 0];
-    return executor_.runsInline() || ((cost.isCheap() || cost.knowsNothing()) && executor_.canRunHere());
+    return executor_.runsInline() ||
+           ((cost.isCheap() || cost.knowsNothing() || secondsEver_ < warmUp_) && executor_.canRunHere());
 }
 
 /// Runs those missing checks in this thread for which that is the better way, and takes them off the list.
@@ -147,21 +148,21 @@ bool Broker::waitForMissing()
     wait.own = submitMissing();
     if (awaited_ > 0 || wait.own)
         askSource();
+    double lastAsked = steadySeconds();
     if (wait.own)
         runOwn(*std::exchange(wait.own, std::nullopt));
-    double lastAsked = steadySeconds();
     while (awaited_ > 0 || (barrier_ && executor_.busy()))
     {
-        collect(kPatience);
-        // Also when the wait is over: workers go on while the search does.
-        if (source_ != nullptr && source_->keepsAsking() && !barrier_)
-            askSource();
         if (interrupt_ && steadySeconds() - lastAsked > std::chrono::duration<double>(kPatience).count())
         {
             if (interrupt_())
                 return false;
             lastAsked = steadySeconds();
         }
+        collect(kPatience);
+        // Also when the wait is over: workers go on while the search does.
+        if (source_ != nullptr && source_->keepsAsking() && !barrier_)
+            askSource();
     }
     return true;
 }
@@ -362,6 +363,7 @@ void Broker::record(Completion& completion)
     Entry& entry = table_[check];
     ++statistics_.checksRun;
     statistics_.runSeconds += completion.seconds;
+    secondsEver_ += completion.seconds;
     entry.seconds = static_cast<float>(completion.seconds);
     entry.foundIn = query_;
     if (completion.measured)

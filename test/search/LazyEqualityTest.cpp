@@ -82,6 +82,7 @@ LazyResult solve(const RandomProblem& problem, Configuration& configuration, Sel
     const lattice::GridHeuristic heuristic = problem.heuristic(lattice);
     configuration.checker->open(problem, lattice);
     validity::Broker broker(*configuration.executor);
+    broker.setWarmUp(0.0);  // most of these problems are small
     search::LazySearch search(lattice, heuristic, broker, weight);
     search.setSelector(selector);
     broker.setSource(&search);

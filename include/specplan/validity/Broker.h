@@ -41,6 +41,13 @@ public:
         barrier_ = barrier;
     }
 
+    /// As long as all checks together have taken no longer than this (seconds), other threads are left alone: starting
+    /// them takes as long.
+    void setWarmUp(double seconds) noexcept
+    {
+        warmUp_ = seconds;
+    }
+
     /// Asked now and then during long waits; once it returns true, `demand` gives up. Empty for never.
     void setInterrupt(std::function<bool()> interrupt)
     {
@@ -129,9 +136,11 @@ private:
     bool sourceListens_ = true;   ///< the source has been told every verdict
     bool sawInvalid_ = false;     ///< since queued checks were last looked through
     double sourceSeconds_ = 0.0;  ///< spent on the source's proposals lately, executor's clock
-    double sourceGain_ = 0.0;     ///< seconds of the checks handed out for it lately, less what handing over costs
-    double sourcePaused_ = 0.0;   ///< time until which the source is not asked
-    double sourceRest_;           ///< how long it rests next time, as a multiple of its thinking
+    double warmUp_ = 1e-3;
+    double secondsEver_ = 0.0;   ///< of all checks, in all queries
+    double sourceGain_ = 0.0;    ///< seconds of the checks handed out for it lately, less what handing over costs
+    double sourcePaused_ = 0.0;  ///< time until which the source is not asked
+    double sourceRest_;          ///< how long it rests next time, as a multiple of its thinking
     std::function<bool()> interrupt_;
     VerdictTable table_;
     std::uint16_t query_ = 1;
