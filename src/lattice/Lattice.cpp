@@ -13,7 +13,11 @@ constexpr std::size_t kMaxMotions = std::size_t{1} << 31;
 }  // namespace
 
 Lattice::Lattice(std::unique_ptr<const Neighbourhood> neighbourhood)
-    : neighbourhood_(std::move(neighbourhood)), nodes_(neighbourhood_->dimension()), next_(neighbourhood_->dimension())
+    : neighbourhood_(std::move(neighbourhood)),
+      nodes_(neighbourhood_->dimension()),
+      ends_(neighbourhood_->maxSteps()),
+      guards_(neighbourhood_->maxGuards()),
+      next_(neighbourhood_->dimension())
 {
 }
 
@@ -34,6 +38,8 @@ void Lattice::setNeighbourhood(std::unique_ptr<const Neighbourhood> neighbourhoo
 {
     neighbourhood_ = std::move(neighbourhood);
     firstMotion_.clear();  // the same numbers mean other steps
+    ends_ = NodeRows(neighbourhood_->maxSteps());
+    guards_ = NodeRows(neighbourhood_->maxGuards());
 }
 
 void Lattice::connect(NodeId from, NodeId to, double cost)
@@ -81,13 +87,18 @@ MotionId Lattice::motionsOf(NodeId node)
     return firstMotion_[node];
 }
 
-/// Where a motion leads. It is written once, before its id leaves: workers may be reading it later on.
-NodeId Lattice::endOf(MotionId motion, const Coordinate* coordinates)
+/// The node at these coordinates. It is written to `known` once: workers may be reading the end of a motion later on.
+NodeId Lattice::internOnce(NodeId& known, const Coordinate* coordinates)
 {
-    Motion& known = motions_[motion];
-    if (known.to == kNoNode)
-        known.to = nodes_.intern(coordinates);
-    return known.to;
+    if (known == kNoNode)
+        known = nodes_.intern(coordinates);
+    return known;
+}
+
+NodeId* Lattice::rowOf(NodeRows& rows, NodeId node)
+{
+    NodeId* row = rows.find(node);
+    return row != nullptr ? row : rows.make(node);
 }
 
 void Lattice::successors(NodeId node, Successors& out)
@@ -99,16 +110,19 @@ void Lattice::successors(NodeId node, Successors& out)
         const std::size_t n = dimension();
         neighbourhood_->steps(nodes_.coordinates(node).data(), steps_);
         const bool checksAll = motionCosts_ != nullptr;
-        const bool storesEnds = needsMotions();
-        const MotionId first = storesEnds ? motionsOf(node) : 0;
+        const bool storesMotions = needsMotions();
+        const MotionId first = storesMotions ? motionsOf(node) : 0;
+        NodeId* ends = storesMotions ? nullptr : rowOf(ends_, node);
+        NodeId* guards = guards_.width() == 0 ? nullptr : rowOf(guards_, node);
         for (std::size_t i = 0; i < steps_.count; ++i)
         {
             const Steps::Step& step = steps_.steps[i];
             const auto firstInner = static_cast<std::uint32_t>(out.inner.size());
             const NodeId end =
-                storesEnds ? endOf(first + step.index, &steps_.ends[i * n]) : nodes_.intern(&steps_.ends[i * n]);
+                internOnce(storesMotions ? motions_[first + step.index].to : ends[step.index], &steps_.ends[i * n]);
             for (std::size_t guard = 0; guard < step.guards; ++guard)
-                out.inner.push_back(CheckId::ofState(nodes_.intern(&steps_.guards[(step.firstGuard + guard) * n])));
+                out.inner.push_back(
+                    CheckId::ofState(internOnce(*guards++, &steps_.guards[(step.firstGuard + guard) * n])));
             if (step.motionCheck || checksAll)
                 out.inner.push_back(CheckId::ofMotion(first + step.index));
             out.edges.push_back({end, costOf(node, end, step.cost), firstInner,
@@ -127,16 +141,23 @@ bool Lattice::hasMotions(NodeId node) const noexcept
 void Lattice::neighbours(NodeId node, std::vector<NodeId>& out)
 {
     out.clear();
-    if (!hasMotions(node))
+    if (!knowsNeighbours(node))
     {
         successors(node, successors_);
         for (const Successors::Edge& edge : successors_.edges)
             out.push_back(edge.node);
         return;
     }
-    for (MotionId motion = firstMotion_[node], last = motion + maxSteps(); motion != last; ++motion)
-        if (motions_[motion].to != kNoNode)
-            out.push_back(motions_[motion].to);
+    const auto add = [&out](NodeId end)
+    {
+        if (end != kNoNode)
+            out.push_back(end);
+    };
+    if (needsMotions())
+        for (MotionId motion = firstMotion_[node], last = motion + maxSteps(); motion != last; ++motion)
+            add(motions_[motion].to);
+    else
+        std::for_each_n(ends_.find(node), ends_.width(), add);
     if (const auto made = handMade_.find(node); made != handMade_.end())
         for (const HandMade& edge : made->second)
             if (edge.connected)

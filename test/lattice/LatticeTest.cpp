@@ -46,7 +46,7 @@ TEST(Lattice, NeighboursAreTheEndsOfAllMotions)
         const NodeId corner = lattice.node(Row{4, 2}.data());
         const NodeId terminal = lattice.addTerminal();
         lattice.connect(corner, terminal, 0.5);
-        EXPECT_EQ(lattice.knowsNeighbours(corner), !motionChecks);
+        EXPECT_FALSE(lattice.knowsNeighbours(corner));
         std::vector<NodeId> ends;
         lattice.neighbours(corner, ends);
         EXPECT_TRUE(lattice.knowsNeighbours(corner));
@@ -63,6 +63,33 @@ TEST(Lattice, NeighboursAreTheEndsOfAllMotions)
         lattice.neighbours(corner, ends);
         expected.pop_back();
         EXPECT_EQ(ends, expected);
+    }
+}
+
+TEST(Lattice, GuardsAreTheSameEveryTime)
+{
+    GridSteps steps;
+    steps.connectivity = 2;
+    steps.cornerCutting = false;
+    steps.cost = [](std::span<const Coordinate>) { return 1.0; };
+    Lattice lattice(std::make_unique<GridNeighbourhood>(GridBox{{0, 0}, {4, 4}}, steps));
+    for (const Row& row : {Row{0, 0}, Row{2, 2}, Row{4, 1}})
+    {
+        const NodeId node = lattice.node(row.data());
+        Successors first;
+        lattice.successors(node, first);
+        Successors again;
+        lattice.successors(node, again);
+        EXPECT_EQ(again.inner, first.inner);
+        for (const Successors::Edge& edge : again.edges)
+            for (const CheckId guard : again.guardsOf(edge))
+            {
+                // A corner of the box between the node and the end: it shares an axis with each.
+                const auto corner = lattice.coordinates(guard.node());
+                const auto end = lattice.coordinates(edge.node);
+                EXPECT_TRUE((corner[0] == row[0] && corner[1] == end[1]) ||
+                            (corner[0] == end[0] && corner[1] == row[1]));
+            }
     }
 }
 

@@ -53,6 +53,11 @@ public:
         return static_cast<std::uint32_t>(patterns_.size());
     }
 
+    [[nodiscard]] std::size_t maxGuards() const noexcept override
+    {
+        return guardOffsets_.size() / box_.lower.size();
+    }
+
     [[nodiscard]] bool hasMotionChecks() const noexcept override
     {
         return hasMotionChecks_;

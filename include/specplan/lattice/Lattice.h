@@ -11,6 +11,7 @@
 #include "specplan/lattice/CheckId.h"
 #include "specplan/lattice/MotionCosts.h"
 #include "specplan/lattice/Neighbourhood.h"
+#include "specplan/lattice/NodeRows.h"
 #include "specplan/lattice/NodeTable.h"
 
 namespace specplan::lattice
@@ -144,14 +145,14 @@ public:
     /// Writes all motions out of a node, always in the same order.
     void successors(NodeId node, Successors& out);
 
-    /// Writes the ends of all motions out of a node, in the same order. Much faster than `successors` where motions
-    /// have checks and the node's have been written before.
+    /// Writes the ends of all motions out of a node, in the same order. Much faster than `successors` for a node that
+    /// has been met before.
     void neighbours(NodeId node, std::vector<NodeId>& out);
 
     /// Whether `neighbours` is as fast as it gets.
     [[nodiscard]] bool knowsNeighbours(NodeId node) const noexcept
     {
-        return !needsMotions() || hasMotions(node);
+        return needsMotions() ? hasMotions(node) : ends_.has(node);
     }
 
     /// The node that lies from `to` as `to` lies from `from`, if there is such a step.
@@ -185,7 +186,8 @@ private:
         return motionCosts_ != nullptr || neighbourhood_->hasMotionChecks();
     }
     [[nodiscard]] bool hasMotions(NodeId node) const noexcept;
-    [[nodiscard]] NodeId endOf(MotionId motion, const Coordinate* coordinates);
+    [[nodiscard]] NodeId internOnce(NodeId& known, const Coordinate* coordinates);
+    [[nodiscard]] static NodeId* rowOf(NodeRows& rows, NodeId node);
     void addHandMade(NodeId node, Successors& out) const;
     [[nodiscard]] double costOf(NodeId from, NodeId to, double ofStep) const;
     MotionId addMotion(NodeId from, NodeId to);
@@ -194,6 +196,8 @@ private:
     NodeTable nodes_;
     util::SegmentedRows<Motion> motions_;
     std::vector<MotionId> firstMotion_;  ///< node -> first of its maxSteps() motions, once it was asked for
+    NodeRows ends_;                      ///< where no motion is checked: ends by the steps' index
+    NodeRows guards_;                    ///< guards in the order of the steps
     std::unordered_map<NodeId, std::vector<HandMade>> handMade_;
     std::function<double(NodeId, NodeId)> stepCost_;
     MotionCosts* motionCosts_ = nullptr;

@@ -42,6 +42,12 @@ public:
     /// One more than the greatest Step::index.
     [[nodiscard]] virtual std::uint32_t maxSteps() const noexcept = 0;
 
+    /// The most guards that the steps out of one node have together.
+    [[nodiscard]] virtual std::size_t maxGuards() const noexcept
+    {
+        return 0;
+    }
+
     /// Whether any step asks for a check of its motion.
     [[nodiscard]] virtual bool hasMotionChecks() const noexcept = 0;
 
