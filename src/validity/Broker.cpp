@@ -148,17 +148,23 @@ bool Broker::waitForMissing()
     wait.own = submitMissing();
     if (awaited_ > 0 || wait.own)
         askSource();
-    double lastAsked = steadySeconds();
+    auto interrupted = [this, lastAsked = steadySeconds()]() mutable
+    {
+        if (!interrupt_ || steadySeconds() - lastAsked < std::chrono::duration<double>(kPatience).count())
+            return false;
+        lastAsked = steadySeconds();
+        return interrupt_();
+    };
     if (wait.own)
+    {
         runOwn(*std::exchange(wait.own, std::nullopt));
+        if (interrupted())
+            return false;
+    }
     while (awaited_ > 0 || (barrier_ && executor_.busy()))
     {
-        if (interrupt_ && steadySeconds() - lastAsked > std::chrono::duration<double>(kPatience).count())
-        {
-            if (interrupt_())
-                return false;
-            lastAsked = steadySeconds();
-        }
+        if (interrupted())
+            return false;
         collect(kPatience);
         // Also when the wait is over: workers go on while the search does.
         if (source_ != nullptr && source_->keepsAsking() && !barrier_)
