@@ -265,17 +265,20 @@ void Broker::askSource()
 /// not it gets a rest, longer each time. (On a virtual clock thinking takes no time.)
 bool Broker::sourcePays()
 {
-    if (sourceSeconds_ > kTrial)
+    const double inVain = sourceSeconds_ - kMostThinking * sourceGain_;
+    const bool pays = sourceSeconds_ > kTrial && inVain <= 0.0;
+    const bool tooMuch = sourceSeconds_ > kTrial && inVain > kMostSpike * statistics_.runSeconds;
+    if (tooMuch)
     {
-        if (sourceSeconds_ > kMostThinking * sourceGain_ + kMostSpike * statistics_.runSeconds)
-        {
-            sourcePaused_ = executor_.now() + sourceRest_ * sourceSeconds_;
-            sourceRest_ = std::min(sourceRest_ * kLongerRest, kMostRest);
-            source_->missed();
-            sourceListens_ = false;
-        }
-        else
-            sourceRest_ = kRest;
+        sourcePaused_ = executor_.now() + sourceRest_ * sourceSeconds_;
+        sourceRest_ = std::min(sourceRest_ * kLongerRest, kMostRest);
+        source_->missed();
+        sourceListens_ = false;
+    }
+    else if (pays)
+        sourceRest_ = kRest;
+    if (tooMuch || pays)
+    {
         sourceSeconds_ = 0.0;
         sourceGain_ = 0.0;
     }

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Who runs which check, on a simulated pool where the search thread is one of the workers.
+#include <gtest/gtest.h>
+
+#include "FakeChecker.h"
+#include "specplan/validity/Broker.h"
+#include "specplan/validity/SimulatedPool.h"
+
+namespace specplan::validity
+{
+namespace
+{
+using test::FakeChecker;
+using test::stateCheck;
+
+CheckId motionCheck(std::uint32_t motion)
+{
+    return CheckId::ofMotion(motion);
+}
+
+/// Names one motion after the other, and thinks for as long as the test says.
+class MotionSource : public CheckSource
+{
+public:
+    explicit MotionSource(double& clock) : clock_(clock)
+    {
+    }
+
+    void propose(std::size_t count, std::vector<CheckId>& out) override
+    {
+        for (; count > 0 && next < last; --count)
+        {
+            clock_ += thought;
+            out.push_back(motionCheck(next++));
+        }
+    }
+
+    [[nodiscard]] bool keepsAsking() const noexcept override
+    {
+        return true;
+    }
+
+    void learned(CheckId check, bool) override
+    {
+        heard.push_back(check);
+    }
+
+    void missed() override
+    {
+        ++rests;
+    }
+
+    double thought = 0.0;
+    std::uint32_t next = 0;
+    std::uint32_t last = 0;
+    int rests = 0;
+    std::vector<CheckId> heard;
+
+private:
+    double& clock_;
+};
+
+class BrokerOnPool : public testing::Test
+{
+protected:
+    SimulatedPool::Timing timing()
+    {
+        SimulatedPool::Timing timing;
+        timing.ofCheck = [this](CheckId check, bool) { return check.isMotion() ? ofMotion : ofState; };
+        timing.ofSearch = [this] { return work; };
+        timing.handOver = 0.0;
+        timing.wake = 0.0;
+        return timing;
+    }
+
+    void demand(std::initializer_list<CheckId> checks)
+    {
+        EXPECT_TRUE(broker.demand(std::vector<CheckId>(checks)));
+    }
+
+    double ofState = 1e-3;
+    double ofMotion = 1e-3;
+    double work = 0.0;  ///< seconds that the search has worked
+    FakeChecker checker;
+    SimulatedPool pool{checker, 2, timing()};
+    Broker broker{pool};
+    MotionSource source{work};
+};
+
+TEST_F(BrokerOnPool, TheSearchThreadKeepsOneCheckForItself)
+{
+    broker.setWarmUp(0.0);
+    demand({stateCheck(0)});  // to see what one costs
+    demand({stateCheck(2)});
+    EXPECT_DOUBLE_EQ(broker.now(), 2e-3);
+    EXPECT_EQ(broker.statistics().usedInline, 2U) << "nobody is woken for one check";
+    demand({stateCheck(4), stateCheck(6)});
+    EXPECT_DOUBLE_EQ(broker.now(), 3e-3);
+    EXPECT_EQ(broker.statistics().usedInline, 3U);
+    EXPECT_EQ(broker.statistics().usedAfterWait, 1U);
+}
+
+TEST_F(BrokerOnPool, NobodyElseIsStartedForAMillisecondOfChecks)
+{
+    ofState = 50e-6;
+    for (std::uint32_t node = 0; node < 20; node += 2)
+        demand({stateCheck(2 * node), stateCheck(2 * node + 2)});
+    EXPECT_EQ(broker.statistics().usedInline, 20U);
+    EXPECT_NEAR(broker.now(), 1e-3, 1e-9);
+    demand({stateCheck(100), stateCheck(102)});
+    EXPECT_EQ(broker.statistics().usedInline, 21U);
+    EXPECT_NEAR(broker.now(), 1.05e-3, 1e-9);
+}
+
+TEST_F(BrokerOnPool, WhatIsCheaperThanHandingOverRunsAheadHere)
+{
+    broker.setWarmUp(0.0);
+    ofState = 1e-6;
+    demand({stateCheck(0)});
+    demand({motionCheck(0)});
+    broker.setSource(&source);
+    EXPECT_TRUE(broker.prefetch(stateCheck(2)));
+    EXPECT_EQ(broker.verdict(stateCheck(2)), Verdict::Valid) << "known at once";
+    EXPECT_EQ(source.heard, std::vector<CheckId>{stateCheck(2)});
+    EXPECT_TRUE(broker.prefetch(motionCheck(1)));
+    EXPECT_EQ(broker.verdict(motionCheck(1)), Verdict::InFlight);
+    demand({stateCheck(2)});
+    EXPECT_EQ(broker.statistics().speculativeUsed, 1U);
+    broker.settle();
+}
+
+TEST_F(BrokerOnPool, ASourceThatThinksForTooLongRestsLongerEachTime)
+{
+    broker.setWarmUp(0.0);
+    ofMotion = 20e-6;
+    source.thought = 30e-6;
+    source.next = 1000000;
+    source.last = 2000000;
+    broker.setSource(&source);
+    std::vector<double> rests;
+    for (std::uint32_t motion = 0; motion < 200000; motion += 2)
+    {
+        const int before = source.rests;
+        demand({motionCheck(motion), motionCheck(motion + 1)});
+        if (source.rests > before)
+            rests.push_back(broker.now());
+    }
+    ASSERT_GE(rests.size(), 4U);
+    for (std::size_t i = 2; i < rests.size(); ++i)
+        EXPECT_GT(rests[i] - rests[i - 1], 1.5 * (rests[i - 1] - rests[i - 2]));
+    broker.settle();
+}
+
+TEST_F(BrokerOnPool, ASourceThatPaysNeverRests)
+{
+    broker.setWarmUp(0.0);
+    ofMotion = 20e-6;
+    source.thought = 3e-6;
+    source.last = 200000;
+    broker.setSource(&source);
+    for (std::uint32_t motion = 0; motion < 20000; ++motion)
+        demand({motionCheck(motion)});
+    EXPECT_EQ(source.rests, 0);
+    EXPECT_LT(broker.now(), 0.62 * (20000 * ofMotion));
+    broker.settle();
+}
+}  // namespace
+}  // namespace specplan::validity
