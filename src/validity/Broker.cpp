@@ -256,7 +256,8 @@ void Broker::askSource()
     proposals_.clear();
     const double start = executor_.now();
     source_->propose(room, proposals_);
-    sourceSeconds_ += executor_.now() - start;
+    if (!std::exchange(sourceBegins_, false))  // to begin anew after a rest takes long, and says nothing
+        sourceSeconds_ += executor_.now() - start;
     for (const CheckId check : proposals_)
         prefetch(check);
 }
@@ -274,6 +275,7 @@ bool Broker::sourcePays()
         sourceRest_ = std::min(sourceRest_ * kLongerRest, kMostRest);
         source_->missed();
         sourceListens_ = false;
+        sourceBegins_ = true;
     }
     else if (pays)
         sourceRest_ = kRest;

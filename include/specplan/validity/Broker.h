@@ -134,6 +134,7 @@ private:
     CheckSource* source_ = nullptr;
     bool barrier_ = false;
     bool sourceListens_ = true;   ///< the source has been told every verdict
+    bool sourceBegins_ = false;   ///< the source has rested since it was last asked
     bool sawInvalid_ = false;     ///< since queued checks were last looked through
     double sourceSeconds_ = 0.0;  ///< spent on the source's proposals lately, executor's clock
     double warmUp_ = 1e-3;
