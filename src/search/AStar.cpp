@@ -161,6 +161,7 @@ bool AStar::confirmWay(NodeId node)
     if (!broker_.demand(checks_))
         return false;
     dropWay(nodes_[node].ways);
+    putBestFirst(nodes_[node].ways);
     const bool valid = broker_.verdict(way.motion) == Verdict::Valid;
     double g = way.g;
     if (valid && lattice_.motionCosts() != nullptr)  // so far there was a lower bound; the check has told the cost
@@ -182,11 +183,15 @@ void AStar::settle(NodeId id, double g, std::uint64_t age, NodeId parent)
     node.age = age;
     node.parent = parent;
     node.closed = false;
-    std::uint32_t* link = &node.ways;
-    while (*link != kNoWay && ways_[*link].g <= g && (ways_[*link].g < g || ways_[*link].age < age))
-        link = &ways_[*link].next;
-    while (*link != kNoWay)
-        dropWay(*link);
+    for (std::uint32_t* link = &node.ways; *link != kNoWay;)
+    {
+        const TentativeWay& way = ways_[*link];
+        if (way.g < g || (way.g == g && way.age < age))
+            link = &ways_[*link].next;
+        else
+            dropWay(*link);
+    }
+    putBestFirst(node.ways);
     place(id);
 }
 
@@ -203,13 +208,29 @@ void AStar::addWay(NodeId id, const TentativeWay& way)
         unusedWays_ = ways_[slot].next;
         ways_[slot] = way;
     }
-    std::uint32_t* link = &nodes_[id].ways;
-    while (*link != kNoWay && ways_[*link].g <= way.g)
-        link = &ways_[*link].next;
-    ways_[slot].next = *link;
-    *link = slot;
-    if (nodes_[id].ways == slot)
+    std::uint32_t& first = nodes_[id].ways;
+    const bool isBest = first == kNoWay || way.g < ways_[first].g;
+    std::uint32_t& link = isBest ? first : ways_[first].next;
+    ways_[slot].next = link;
+    link = slot;
+    if (isBest)
         place(id);
+}
+
+/// Brings the best way of a list to its front; of equally good ones that which was found first.
+void AStar::putBestFirst(std::uint32_t& first)
+{
+    std::uint32_t* best = &first;
+    for (std::uint32_t* link = &first; *link != kNoWay; link = &ways_[*link].next)
+        if (const TentativeWay& way = ways_[*link], &other = ways_[*best];
+            way.g < other.g || (way.g == other.g && way.age < other.age))
+            best = link;
+    if (best == &first)
+        return;
+    const std::uint32_t way = *best;
+    *best = ways_[way].next;
+    ways_[way].next = first;
+    first = way;
 }
 
 /// Takes a way out of its list.

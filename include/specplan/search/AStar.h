@@ -178,7 +178,8 @@ private:
         bool goal = false;
     };
 
-    /// A way to a node whose last motion has not been asked for. A node's ways are a list, the best one first.
+    /// A way to a node whose last motion has not been asked for. A node's ways are a list, the best one first,
+    /// the others in no order: most are never needed.
     struct TentativeWay
     {
         double g;
@@ -199,6 +200,7 @@ private:
     [[nodiscard]] bool confirmWay(NodeId node);
     void settle(NodeId node, double g, std::uint64_t age, NodeId parent);
     void addWay(NodeId node, const TentativeWay& way);
+    void putBestFirst(std::uint32_t& first);
     void dropWay(std::uint32_t& link);
     void place(NodeId node);
     [[nodiscard]] util::OpenKey earliestKey(const TentativeWay& way, double h) const;
