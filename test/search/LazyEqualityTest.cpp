@@ -173,18 +173,6 @@ void expectEqual(const LazyResult& result, const LazyResult& serial)
     EXPECT_EQ(result.checksUsed, serial.checksUsed);
 }
 
-/// Problems to try; fewer where a sanitizer slows everything down, more in a soak.
-std::uint64_t problemCount()
-{
-    if (const char* wanted = std::getenv("SPECPLAN_RANDOM_PROBLEMS"))
-        return std::strtoull(wanted, nullptr, 10);
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
-    return 200;
-#else
-    return 2000;
-#endif
-}
-
 TEST(LazyEquality, EveryExecutorAndThreadCountDecidesTheSameAndTheCostIsDijkstras)
 {
     std::vector<Configuration> configurations = allConfigurations();

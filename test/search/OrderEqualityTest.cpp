@@ -139,18 +139,6 @@ void expectSameSearch(const RandomProblem& problem, const CellSolution& referenc
     expectCountsAddUp(broker.statistics());
 }
 
-/// Problems to try; fewer where a sanitizer slows everything down, more in a soak.
-std::uint64_t problemCount()
-{
-    if (const char* wanted = std::getenv("SPECPLAN_RANDOM_PROBLEMS"))
-        return std::strtoull(wanted, nullptr, 10);
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
-    return 200;
-#else
-    return 2000;
-#endif
-}
-
 TEST(OrderEquality, EveryExecutorPolicyAndThreadCountMatchesTheSerialReference)
 {
     std::vector<Configuration> configurations = allConfigurations();

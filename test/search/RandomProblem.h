@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <random>
 #include <thread>
@@ -20,6 +21,18 @@
 
 namespace specplan::test
 {
+/// Problems to try; fewer where a sanitizer slows everything down, more in a soak.
+inline std::uint64_t problemCount()
+{
+    if (const char* wanted = std::getenv("SPECPLAN_RANDOM_PROBLEMS"))
+        return std::strtoull(wanted, nullptr, 10);
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+    return 200;
+#else
+    return 2000;
+#endif
+}
+
 /// What a problem tells of a motion's cost before it is checked.
 enum class CostsBefore
 {
