@@ -286,6 +286,7 @@ struct Timed
         };
         source.asksAgain = true;
         broker.setSource(&source);
+        broker.setWarmUp(0.0);
     }
 
     /// Demands `count` checks that were never asked for, one at a time.
