@@ -111,16 +111,10 @@ void Broker::recordHere(CheckId check, Entry& entry)
         source_->missed();
         sourceListens_ = false;
     }
-    Completion completion = executor_.runHere(check);
     ++statistics_.demandedChecks;
-    record(completion);
-    if (sourceListens_ && source_ != nullptr && !entry.failed)
-        source_->learned(check, completion.valid);
-    if (entry.failed)
-        return;
-    ++statistics_.usedInline;
-    statistics_.waitSeconds += completion.seconds;
-    noteUse(entry);
+    runOwn(check);
+    if (!entry.failed)
+        statistics_.waitSeconds += static_cast<double>(entry.seconds);
 }
 
 bool Broker::waitForMissing()
@@ -210,11 +204,8 @@ std::optional<CheckId> Broker::submitMissing()
 
 void Broker::runOwn(CheckId check)
 {
+    runAndTell(check);
     Entry& entry = table_[check];
-    Completion completion = executor_.runHere(check);
-    record(completion);
-    if (sourceListens_ && source_ != nullptr && !entry.failed)
-        source_->learned(check, completion.valid);
     if (entry.failed)
         return;
     ++statistics_.usedInline;
@@ -335,9 +326,14 @@ void Broker::runAheadHere(CheckId check, Entry& entry)
 {
     ++statistics_.speculativeChecks;
     entry.speculative = true;
+    runAndTell(check);
+}
+
+void Broker::runAndTell(CheckId check)
+{
     Completion completion = executor_.runHere(check);
     record(completion);
-    if (sourceListens_ && source_ != nullptr && !entry.failed)
+    if (sourceListens_ && source_ != nullptr && !table_[check].failed)
         source_->learned(check, completion.valid);
 }
 

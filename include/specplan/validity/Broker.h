@@ -115,6 +115,7 @@ private:
     [[nodiscard]] bool waitForMissing();
     [[nodiscard]] std::optional<CheckId> submitMissing();
     void runOwn(CheckId check);
+    void runAndTell(CheckId check);
     void noteReady(Entry& entry);
     void feed();
     void askSource();
