@@ -121,7 +121,9 @@ void LazySearch::readPath()
     for (const LazyTree::EdgeId edge : path_)
     {
         list(CheckId::ofState(tree_.to(edge)));
-        for (const CheckId check : tree_.innerOf(edge))
+        inner_.clear();
+        tree_.addInner(edge, inner_);
+        for (const CheckId check : inner_)
             list(check);
     }
 }
@@ -223,18 +225,37 @@ void LazySearch::note(CheckId check, bool valid)
         observer_(check, valid);
 }
 
+void LazySearch::addUnknown(CheckId check, std::size_t most, std::vector<CheckId>& out) const
+{
+    if (out.size() < most && broker_.verdict(check) == Verdict::Unknown && std::ranges::find(out, check) == out.end())
+        out.push_back(check);
+}
+
+/// What else there is to be asked for in the situation as it is. Much of it will be, whatever the next check tells.
+void LazySearch::proposeAtHand(std::size_t count, std::vector<CheckId>& out)
+{
+    if (!guesses_.empty() || plan(kPortion) != Plan::Next)
+        return;
+    const std::size_t most = out.size() + count;
+    addUnknown(next_, most, out);
+    for (const NodeId suspect : suspects_)
+        addUnknown(CheckId::ofState(suspect), most, out);
+    if (pathHolds_)
+        for (const CheckId check : unknownStates_.empty() ? unknownMotions_ : unknownStates_)
+            addUnknown(check, most, out);
+    else if (suspects_.empty())
+    {
+        tree_.doubtfulSoon(doubtful_);
+        for (const NodeId node : doubtful_)
+            addUnknown(CheckId::ofState(node), most, out);
+    }
+}
+
 void LazySearch::propose(std::size_t count, std::vector<CheckId>& out)
 {
-    const std::size_t full = out.size() + count;
-    const std::size_t first = out.size();
-    const auto proposeOne = [&](CheckId check)
-    {
-        if (out.size() < full && broker_.verdict(check) == Verdict::Unknown &&
-            std::find(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(), check) == out.end())
-            out.push_back(check);
-    };
+    const std::size_t most = out.size() + count;
     stuck_ = stuck_ && !guesses_.empty();
-    for (std::size_t steps = 4 * count + 16; out.size() < full && steps > 0 && !stuck_; --steps)
+    for (std::size_t steps = 4 * count + 16; out.size() < most && steps > 0 && !stuck_; --steps)
     {
         const Plan plan = this->plan(kMostForGuess);
         stuck_ = plan == Plan::Unfinished;
@@ -247,9 +268,9 @@ void LazySearch::propose(std::size_t count, std::vector<CheckId>& out)
             continue;
         }
         const Verdict verdict = broker_.verdict(next_);
-        proposeOne(next_);
+        addUnknown(next_, most, out);
         for (const NodeId suspect : suspects_)
-            proposeOne(CheckId::ofState(suspect));
+            addUnknown(CheckId::ofState(suspect), most, out);
         guess(probabilityValid(next_), validity::isKnown(verdict) ? verdict == Verdict::Valid : isLikely(next_));
     }
 }

@@ -21,6 +21,9 @@ constexpr int kUnitBits = 36;
 /// one is followed to its end. This share of the predecessor's estimate is added to f; it is more than rounding does to
 /// the costs, and nobody notices it in the cost of the path.
 constexpr double kTieShare = 0x1p-33;
+
+/// Entries of OPEN among which the next ones are looked for: the first three levels of the heap.
+constexpr std::size_t kLookedAt = 21;
 }  // namespace
 
 LazyTree::LazyTree(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, double weight)
@@ -96,8 +99,11 @@ bool LazyTree::isDone()
 
 LazyTree::Repair LazyTree::repair(std::size_t budget)
 {
-    for (const NodeId lost : lost_)
-        look(lost);
+    for (std::size_t i = 0; i < lost_.size(); ++i)
+    {
+        fetch(i + 4);
+        look(lost_[i]);
+    }
     lost_.clear();
     for (; !open_.empty() && !isDone(); --budget)
     {
@@ -109,6 +115,18 @@ LazyTree::Repair LazyTree::repair(std::size_t budget)
         expand(first);
     }
     return Repair::Done;
+}
+
+void LazyTree::doubtfulSoon(std::vector<NodeId>& out)
+{
+    soon_.clear();
+    for (const util::OpenList::Entry& entry : open_.entries().first(std::min(open_.size(), kLookedAt)))
+        if (nodes_[entry.item].verdict == Verdict::Unknown && entry.key.f < kUnreached && doubt_ && doubt_(entry.item))
+            soon_.push_back(entry);
+    std::ranges::sort(soon_, [](const auto& a, const auto& b) { return a.key.before(b.key); });
+    out.clear();
+    for (const util::OpenList::Entry& entry : soon_)
+        out.push_back(entry.item);
 }
 
 /// A better way to the node was found: passes it on.
@@ -123,8 +141,10 @@ void LazyTree::expand(NodeId id)
     for (EdgeId e = first; e < end; ++e)
     {
         const Edge& edge = edges_[e];
-        const Node& to = nodes_[edge.to];
-        if (!(g + edge.cost < to.rhs) || (weight_ > 1.0 && to.g < kUnreached))
+        Node& to = nodes_[edge.to];
+        const double cost = g + edge.cost;
+        to.tied = to.tied || cost == to.rhs;
+        if (!(cost < to.rhs) || (weight_ > 1.0 && to.g < kUnreached))
             continue;
         if (const double rhs = g + costOf(edge); rhs < to.rhs)
             set(edge.to, to.g, rhs, e);
@@ -135,13 +155,12 @@ void LazyTree::expand(NodeId id)
 /// which are lost; that may wait for more verdicts.
 void LazyTree::lose(NodeId id)
 {
-    const std::size_t before = lost_.size();
+    forsaken_.clear();
     forsake(id);
-    for (std::size_t i = before; i < lost_.size(); ++i)
+    for (std::size_t i = 0; i < forsaken_.size(); ++i)
     {
-        const EdgeId first = nodes_[lost_[i]].firstOut;
-        const EdgeId end = first == kNoEdge ? first : first + nodes_[lost_[i]].out;
-        for (EdgeId e = first; e < end; ++e)
+        const Node& node = nodes_[forsaken_[i]];
+        for (EdgeId e = node.firstOut, end = e + node.out; e < end; ++e)
             if (nodes_[edges_[e].to].via == e)
                 forsake(edges_[e].to);
     }
@@ -153,14 +172,25 @@ void LazyTree::forsake(NodeId id)
     const Node& node = nodes_[id];
     if (node.start || node.rhs == kUnreached)
         return;
-    const EdgeId via = bestInto(id);
-    if (via != kNoEdge)
-        set(id, node.g, node.rhs, via);
-    else
+    if (const EdgeId via = node.tied ? bestInto(id) : kNoEdge; via != kNoEdge)
     {
-        set(id, kUnreached, kUnreached, kNoEdge);
-        lost_.push_back(id);
+        set(id, node.g, node.rhs, via);
+        return;
     }
+    if (node.g < kUnreached)
+        forsaken_.push_back(id);
+    set(id, kUnreached, kUnreached, kNoEdge);
+    lost_.push_back(id);
+}
+
+/// Brings what look() will need of one of the lost into the cache: most of their time would go into waiting for that.
+void LazyTree::fetch(std::size_t lost) const noexcept
+{
+    if (lost + 4 < lost_.size())
+        __builtin_prefetch(&details_[lost_[lost + 4]]);
+    if (lost < lost_.size())
+        for (const Into& into : into_.items(details_[lost_[lost]].into))
+            __builtin_prefetch(&into);
 }
 
 /// Finds the best way into a node that has none.
@@ -171,51 +201,36 @@ void LazyTree::look(NodeId id)
         return;
     double rhs = kUnreached;
     EdgeId via = kNoEdge;
-    visitInto(id,
-              [&](const Into::Motion& into)
-              {
-                  const double g = nodes_[into.from].g;
-                  if (!(g + into.cost <= rhs) || g == kUnreached)
-                      return;
-                  const double cost = g + costOf(edges_[into.edge]);
-                  if (cost < rhs || (cost == rhs && cost < kUnreached && isPreferred(into.edge, via)))
-                  {
-                      rhs = cost;
-                      via = into.edge;
-                  }
-              });
-    set(id, node.g, rhs, via);
-}
-
-/// Visits the known motions into a node. In no particular order: which of equals is taken must not depend on it.
-template <typename Visit>
-void LazyTree::visitInto(NodeId id, Visit visit) const
-{
-    for (std::uint32_t block = nodes_[id].firstIn; block != kNoEdge; block = into_[block].next)
-        for (std::uint32_t i = 0; i < into_[block].count; ++i)
-            visit(into_[block].motions[i]);
-}
-
-void LazyTree::addInto(NodeId id, const Into::Motion& motion)
-{
-    const std::uint32_t first = nodes_[id].firstIn;
-    if (first == kNoEdge || into_[first].count == into_[first].motions.size())
+    bool tied = false;
+    // In no particular order: which of equals is taken must not depend on it.
+    for (const Into& into : into_.items(details_[id].into))
     {
-        into_.push_back({{}, 0, first});
-        nodes_[id].firstIn = static_cast<std::uint32_t>(into_.size() - 1);
+        const double g = nodes_[into.from].g;
+        if (!(g + into.cost <= rhs) || g == kUnreached)
+            continue;
+        const double cost = g + costOf(edges_[into.edge]);
+        if (cost == kUnreached)
+            continue;
+        tied = cost == rhs;
+        if (cost < rhs || isPreferred(into.edge, via))
+        {
+            rhs = cost;
+            via = into.edge;
+        }
     }
-    Into& into = into_[nodes_[id].firstIn];
-    into.motions[into.count++] = motion;
+    set(id, node.g, rhs, via);
+    nodes_[id].tied = tied;
 }
 
 void LazyTree::set(NodeId id, double g, double rhs, EdgeId via)
 {
     Node& node = nodes_[id];
-    if (journal_ != nullptr && node.recorded != journals_)
+    if (journal_ != nullptr && details_[id].recorded != journals_)
     {
-        node.recorded = journals_;
+        details_[id].recorded = journals_;
         journal_->push_back({node.g, node.rhs, id, node.via});
     }
+    node.tied = node.tied && rhs == node.rhs;
     node.g = g;
     node.rhs = rhs;
     node.via = via;
@@ -230,8 +245,9 @@ void LazyTree::place(NodeId id)
     if (node.g != node.rhs)
     {
         const double g = std::min(node.g, node.rhs);
-        const double before = node.via == kNoEdge ? node.h : nodes_[edges_[node.via].from].h;
-        open_.push(id, {g + node.h + kTieShare * before, -g, node.rank});
+        const Details& details = details_[id];
+        const double before = node.via == kNoEdge ? details.h : details_[edges_[node.via].from].h;
+        open_.push(id, {g + details.h + kTieShare * before, -g, details.rank});
     }
     else if (open_.contains(id))
         open_.erase(id);
@@ -243,36 +259,47 @@ void LazyTree::connect(NodeId id)
     if (nodes_[id].firstOut != kNoEdge)
         return;
     lattice_.successors(id, successors_);
-    if (edges_.size() + successors_.edges.size() >= kNoEdge || inner_.size() + successors_.inner.size() >= kNoEdge)
+    if (edges_.size() + successors_.edges.size() >= kNoEdge || inner_.size() + successors_.inner.size() >= kOnlyMotion)
         throw std::length_error("a lazy search has more than 2^32 touched motions; choose a coarser resolution");
     nodes_[id].firstOut = static_cast<EdgeId>(edges_.size());
     nodes_[id].out = static_cast<std::uint16_t>(successors_.edges.size());
     for (const lattice::Successors::Edge& motion : successors_.edges)
     {
         touch(motion.node);
-        edges_.push_back({rounded(motion.cost), id, motion.node, 0});
-        addInto(motion.node, {edges_.back().cost, id, static_cast<EdgeId>(edges_.size() - 1)});
-        if (motion.inner == 0)
-            continue;
-        if (inner_.empty())
-        {
-            inner_.resize(1);  // 0 means none
-            innerCounts_.resize(1);
-        }
-        edges_.back().inner = static_cast<std::uint32_t>(inner_.size());
-        for (std::uint32_t i = 0; i < motion.inner; ++i)
-        {
-            const CheckId check = successors_.inner[motion.firstInner + i];
-            inner_.push_back(check);
-            innerCounts_.push_back(motion.inner - i);
-        }
+        Edge& edge = *edges_.append();
+        edge = {rounded(motion.cost), id, motion.node, keepInner(successors_.innerOf(motion))};
+        into_.append(details_[motion.node].into, {edge.cost, id, static_cast<EdgeId>(edges_.size() - 1)});
     }
 }
 
-std::span<const CheckId> LazyTree::innerOf(EdgeId edge) const noexcept
+/// Keeps the checks of a motion. One that has nothing but a check of its own, as most have, takes no place.
+std::uint32_t LazyTree::keepInner(std::span<const CheckId> inner)
+{
+    if (inner.empty())
+        return 0;
+    if (inner.size() == 1 && inner.front().isMotion())
+        return kOnlyMotion | inner.front().motion();
+    if (inner_.empty())
+    {
+        inner_.resize(1);  // 0 means none
+        innerCounts_.resize(1);
+    }
+    const auto first = static_cast<std::uint32_t>(inner_.size());
+    for (std::size_t i = 0; i < inner.size(); ++i)
+    {
+        inner_.push_back(inner[i]);
+        innerCounts_.push_back(static_cast<std::uint32_t>(inner.size() - i));
+    }
+    return first;
+}
+
+void LazyTree::addInner(EdgeId edge, std::vector<CheckId>& out) const
 {
     const std::uint32_t first = edges_[edge].inner;
-    return first == 0 ? std::span<const CheckId>{} : std::span(inner_).subspan(first, innerCounts_[first]);
+    if ((first & kOnlyMotion) != 0)
+        out.push_back(CheckId::ofMotion(first & ~kOnlyMotion));
+    else if (first != 0)
+        out.insert(out.end(), inner_.begin() + first, inner_.begin() + first + innerCounts_[first]);
 }
 
 double LazyTree::costOf(const Edge& edge) const noexcept
@@ -285,6 +312,8 @@ bool LazyTree::isClosed(const Edge& edge) const noexcept
 {
     if (edge.inner == 0)
         return false;
+    if ((edge.inner & kOnlyMotion) != 0)
+        return verdict(CheckId::ofMotion(edge.inner & ~kOnlyMotion)) == Verdict::Invalid;
     for (std::uint32_t i = edge.inner, end = i + innerCounts_[i]; i < end; ++i)
         if (verdict(inner_[i]) == Verdict::Invalid)
             return true;
@@ -313,14 +342,11 @@ LazyTree::EdgeId LazyTree::bestInto(NodeId id) const
 {
     const Node& node = nodes_[id];
     EdgeId best = kNoEdge;
-    visitInto(id,
-              [&](const Into::Motion& into)
-              {
-                  const double g = nodes_[into.from].g;
-                  if (g + into.cost <= node.rhs && g + costOf(edges_[into.edge]) == node.rhs &&
-                      (best == kNoEdge || isPreferred(into.edge, best)))
-                      best = into.edge;
-              });
+    for (const Into& into : into_.items(details_[id].into))
+        if (nodes_[into.from].g + into.cost <= node.rhs &&
+            nodes_[into.from].g + costOf(edges_[into.edge]) == node.rhs &&
+            (best == kNoEdge || isPreferred(into.edge, best)))
+            best = into.edge;
     return best;
 }
 
@@ -381,6 +407,7 @@ void LazyTree::undo(CheckId check, const Journal& journal)
         node.g = change->g;
         node.rhs = change->rhs;
         node.via = change->via;
+        node.tied = true;  // perhaps
         place(change->node);
         if (node.rhs == kUnreached)
             lost_.push_back(change->node);  // it may have been, and have looked for another way since
@@ -394,13 +421,15 @@ void LazyTree::undo(CheckId check, const Journal& journal)
 LazyTree::Node& LazyTree::touch(NodeId id)
 {
     if (id >= nodes_.size())
-        nodes_.resize(std::max<std::size_t>(lattice_.size(), nodes_.size() * 2));
-    Node& node = nodes_[id];
-    if (node.h < 0.0)
     {
-        node.h = weight_ * heuristic_.estimate(id);
-        node.rank = util::hashCoordinates(lattice_.coordinates(id));
+        nodes_.resize(std::max<std::size_t>(lattice_.size(), nodes_.size() * 2));
+        details_.resize(nodes_.size());
     }
-    return node;
+    if (Details& details = details_[id]; details.h < 0.0)
+    {
+        details.h = weight_ * heuristic_.estimate(id);
+        details.rank = util::hashCoordinates(lattice_.coordinates(id));
+    }
+    return nodes_[id];
 }
 }  // namespace specplan::search

@@ -241,7 +241,13 @@ void Broker::askSource()
     if (source_ == nullptr)
         return;
     dropUnwanted();
-    const unsigned room = source_->keepsAsking() ? executor_.room() : executor_.freeWorkers();
+    unsigned room = source_->keepsAsking() ? executor_.room() : executor_.freeWorkers();
+    if (room == 0)
+        return;
+    proposals_.clear();
+    source_->proposeAtHand(room, proposals_);
+    for (const CheckId check : proposals_)
+        room -= prefetch(check) ? 1 : 0;
     if (room == 0 || !sourcePays())
         return;
     proposals_.clear();

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "Plane.h"
 
@@ -100,6 +102,32 @@ TEST(LazySearch, WorkersShortenTheVirtualTimeAndChangeNothing)
         EXPECT_EQ(parallel.search.decisions(), serial.search.decisions());
         EXPECT_LT(parallel.broker->now() * speedup, static_cast<double>(serial.search.decisions()));
     }
+}
+
+TEST(LazySearch, WhatIsAtHandIsUnknownAndWhatTheSearchAsksForNext)
+{
+    LazyOnPlane lazy(1, false);
+    lazy.broker->setSource(nullptr);
+    std::size_t named = 0;
+    std::size_t asked = 0;
+    std::vector<CheckId> atHand;
+    lazy.search.setObserver([&](CheckId check, bool)
+                            { asked += std::ranges::find(atHand, check) != atHand.end() ? 1 : 0; });
+    for (int rounds = 0; rounds < 1000; ++rounds)
+    {
+        int allowed = 1;
+        if (lazy.search.run([&] { return allowed-- == 0; }) == SearchStatus::Solved)
+            break;
+        atHand.clear();
+        lazy.search.proposeAtHand(8, atHand);
+        named += atHand.empty() ? 0 : 1;
+        EXPECT_LE(atHand.size(), 8U);
+        EXPECT_EQ(std::set<CheckId>(atHand.begin(), atHand.end()).size(), atHand.size());
+        for (const CheckId check : atHand)
+            EXPECT_EQ(lazy.broker->verdict(check), validity::Verdict::Unknown);
+    }
+    EXPECT_GT(named, 20U);
+    EXPECT_EQ(asked, lazy.search.decisions() - 1) << "all but the first, for which nobody was asked";
 }
 
 TEST(LazySearch, AnExceptionThatIsNeededSurfacesAfterTheSameDecisionsEverywhere)

@@ -35,6 +35,12 @@ public:
         }
     }
 
+    void proposeAtHand(std::size_t count, std::vector<CheckId>& out) override
+    {
+        for (; count > 0 && nextAtHand < lastAtHand; --count)
+            out.push_back(motionCheck(nextAtHand++));
+    }
+
     [[nodiscard]] bool keepsAsking() const noexcept override
     {
         return true;
@@ -53,6 +59,8 @@ public:
     double thought = 0.0;
     std::uint32_t next = 0;
     std::uint32_t last = 0;
+    std::uint32_t nextAtHand = 0;
+    std::uint32_t lastAtHand = 0;
     int rests = 0;
     std::vector<CheckId> heard;
 
@@ -148,6 +156,37 @@ TEST_F(BrokerOnPool, ASourceThatThinksForTooLongRestsLongerEachTime)
     ASSERT_GE(rests.size(), 4U);
     for (std::size_t i = 2; i < rests.size(); ++i)
         EXPECT_GT(rests[i] - rests[i - 1], 1.5 * (rests[i - 1] - rests[i - 2]));
+    broker.settle();
+}
+
+TEST_F(BrokerOnPool, WhatIsAtHandComesBeforeThinkingAndAlsoDuringRests)
+{
+    broker.setWarmUp(0.0);
+    ofMotion = 20e-6;
+    source.thought = 1e-3;
+    source.next = 1000000;
+    source.last = 2000000;
+    source.nextAtHand = 5;
+    source.lastAtHand = 30000;
+    broker.setSource(&source);
+    for (std::uint32_t motion = 0; motion < 20000; ++motion)
+        demand({motionCheck(motion)});
+    EXPECT_EQ(source.next, 1000000U) << "no need to think";
+    EXPECT_EQ(source.rests, 0);
+    EXPECT_LT(broker.now(), 0.6 * (20000 * ofMotion));
+
+    source.nextAtHand = source.lastAtHand = 0;
+    for (std::uint32_t motion = 50000; source.rests == 0; ++motion)
+    {
+        ASSERT_LT(motion, 60000U);
+        demand({motionCheck(motion)});
+    }
+    source.nextAtHand = 30000;
+    source.lastAtHand = 30001;
+    for (std::uint32_t motion = 40000; motion < 40100; ++motion)
+        demand({motionCheck(motion)});
+    EXPECT_TRUE(isKnown(broker.verdict(motionCheck(30000))));
+    EXPECT_EQ(source.rests, 1);
     broker.settle();
 }
 

@@ -131,6 +131,7 @@ public:
         return orderHash_;
     }
 
+    void proposeAtHand(std::size_t count, std::vector<CheckId>& out) override;
     void propose(std::size_t count, std::vector<CheckId>& out) override;
     void learned(CheckId check, bool valid) override;
     void missed() override;
@@ -173,6 +174,7 @@ private:
     void finish();
 
     // Running ahead.
+    void addUnknown(CheckId check, std::size_t most, std::vector<CheckId>& out) const;
     [[nodiscard]] bool isLikely(CheckId check) const;
     void guess(double probability, bool valid);
     void takeBack(std::size_t first);
@@ -200,5 +202,7 @@ private:
     std::vector<NodeId> solution_;
     std::vector<double> solutionCosts_;  ///< parallel to solution_: cost from the start
     lattice::Successors successors_;     ///< scratch
+    std::vector<NodeId> doubtful_;       ///< scratch of proposeAtHand()
+    std::vector<CheckId> inner_;         ///< scratch of readPath()
 };
 }  // namespace specplan::search

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "specplan/lattice/Heuristic.h"
 #include "specplan/lattice/Lattice.h"
 #include "specplan/util/OpenList.h"
+#include "specplan/util/RowPool.h"
+#include "specplan/util/SegmentedRows.h"
 #include "specplan/validity/Verdict.h"
 
 namespace specplan::search
@@ -81,6 +81,9 @@ public:
         return open_.top().item;
     }
 
+    /// Writes nodes that the repair may wait for after that one, the most likely first.
+    void doubtfulSoon(std::vector<NodeId>& out);
+
     /// Whether ways to other nodes may lead through this one.
     [[nodiscard]] bool isPassed(NodeId node) const noexcept
     {
@@ -119,8 +122,8 @@ public:
         return edges_[edge].to;
     }
 
-    /// The checks of a motion besides that of its end.
-    [[nodiscard]] std::span<const CheckId> innerOf(EdgeId edge) const noexcept;
+    /// Appends the checks of a motion besides that of its end.
+    void addInner(EdgeId edge, std::vector<CheckId>& out) const;
 
     /// Number of a motion among those out of its node.
     [[nodiscard]] std::size_t indexOf(EdgeId edge) const noexcept
@@ -141,21 +144,37 @@ public:
 
 private:
     static constexpr EdgeId kNoEdge = std::numeric_limits<EdgeId>::max();
+    static constexpr std::uint32_t kOnlyMotion = 1U << 31;
 
+    /// A known motion into a node, with what is looked at of it.
+    struct Into
+    {
+        double cost;
+        NodeId from;
+        EdgeId edge;
+    };
+
+    /// What is looked at of a node when a neighbour of it changes: half a cache line.
     struct Node
     {
         double g = kUnreached;
         double rhs = kUnreached;
-        double h = -1.0;                  ///< weighted; negative: not asked yet
-        std::uint64_t rank = 0;           ///< breaks ties on OPEN; from the coordinates
-        std::uint64_t recorded = 0;       ///< journal that has this node's values
-        EdgeId via = kNoEdge;             ///< the motion that rhs comes from
-        EdgeId firstOut = kNoEdge;        ///< motions out of the node, once they were asked for
-        std::uint32_t firstIn = kNoEdge;  ///< block of known motions into the node
-        std::uint16_t out = 0;            ///< number of motions out of the node
+        EdgeId via = kNoEdge;       ///< the motion that rhs comes from
+        EdgeId firstOut = kNoEdge;  ///< motions out of the node, once they were asked for
+        std::uint16_t out = 0;      ///< number of motions out of the node
         validity::Verdict verdict = validity::Verdict::Unknown;
         bool start = false;
         bool goal = false;
+        bool tied = false;  ///< whether another motion may lead into the node at the same cost
+    };
+
+    /// What else there is of a node.
+    struct Details
+    {
+        double h = -1.0;                ///< weighted; negative: not asked yet
+        std::uint64_t rank = 0;         ///< breaks ties on OPEN; from the coordinates
+        std::uint64_t recorded = 0;     ///< journal that has this node's values
+        util::RowPool<Into>::Row into;  ///< known motions into the node
     };
 
     struct Edge
@@ -163,22 +182,7 @@ private:
         double cost;  ///< rounded
         NodeId from;
         NodeId to;
-        std::uint32_t inner;  ///< first of its checks in inner_; 0 if there are none
-    };
-
-    /// Known motions into one node; what is looked at of them lies together.
-    struct Into
-    {
-        struct Motion
-        {
-            double cost;
-            NodeId from;
-            EdgeId edge;
-        };
-
-        std::array<Motion, 8> motions;
-        std::uint32_t count;
-        std::uint32_t next;  ///< block with further ones, or kNoEdge
+        std::uint32_t inner;  ///< its checks: 0 for none, a motion's number with kOnlyMotion, or the first in inner_
     };
 
     [[nodiscard]] bool isDone();
@@ -192,12 +196,11 @@ private:
     void chooseUnit(NodeId start);
     [[nodiscard]] double costOf(const Edge& edge) const noexcept;
     [[nodiscard]] bool isClosed(const Edge& edge) const noexcept;
+    [[nodiscard]] std::uint32_t keepInner(std::span<const CheckId> inner);
+    void fetch(std::size_t lost) const noexcept;
     [[nodiscard]] double rounded(double cost) const noexcept;
     [[nodiscard]] EdgeId bestInto(NodeId node) const;
     [[nodiscard]] bool isPreferred(EdgeId edge, EdgeId other) const;
-    template <typename Visit>
-    void visitInto(NodeId node, Visit visit) const;
-    void addInto(NodeId node, const Into::Motion& motion);
     Node& touch(NodeId node);
 
     lattice::Lattice& lattice_;
@@ -205,9 +208,10 @@ private:
     double weight_;
     double unit_ = 0.0;  ///< costs are multiples of it; 0 before the first start
     std::vector<Node> nodes_;
-    std::vector<Edge> edges_;
-    std::vector<Into> into_;
-    std::vector<CheckId> inner_;
+    std::vector<Details> details_;  ///< parallel to nodes_
+    util::SegmentedRows<Edge> edges_;
+    util::RowPool<Into> into_;
+    std::vector<CheckId> inner_;              ///< checks of motions that have several; the first is not used
     std::vector<std::uint32_t> innerCounts_;  ///< parallel to inner_: number of checks from there on in their motion
     std::vector<validity::Verdict> motions_;
     std::vector<NodeId> goals_;
@@ -218,7 +222,9 @@ private:
     Journal* journal_ = nullptr;
     std::uint64_t journals_ = 0;
     std::uint64_t expansions_ = 0;
-    std::vector<NodeId> lost_;        ///< nodes that may have lost their way and not looked for another one
-    lattice::Successors successors_;  ///< scratch of connect()
+    std::vector<NodeId> forsaken_;             ///< scratch of lose(): nodes whose ways on have to be given up
+    std::vector<NodeId> lost_;                 ///< nodes that may have lost their way and not looked for another one
+    lattice::Successors successors_;           ///< scratch of connect()
+    std::vector<util::OpenList::Entry> soon_;  ///< scratch of doubtfulSoon()
 };
 }  // namespace specplan::search

@@ -14,8 +14,13 @@ class CheckSource
 public:
     virtual ~CheckSource() = default;
 
+    /// Appends up to `count` checks that the search may well need, for as long as that takes next to no time.
+    virtual void proposeAtHand(std::size_t, std::vector<lattice::CheckId>&)
+    {
+    }
+
     /// Appends up to `count` checks that the search is likely to need, most wanted first. Asked only while the search
-    /// has to wait and workers are free.
+    /// has to wait and workers are free; no longer if it takes more time than it saves.
     virtual void propose(std::size_t count, std::vector<lattice::CheckId>& out) = 0;
 
     /// Whether to ask again during a wait, as soon as workers fall free; otherwise once at its beginning.
