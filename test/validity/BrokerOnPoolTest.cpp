@@ -108,16 +108,16 @@ TEST_F(BrokerOnPool, TheSearchThreadKeepsOneCheckForItself)
     EXPECT_EQ(broker.statistics().usedAfterWait, 1U);
 }
 
-TEST_F(BrokerOnPool, NobodyElseIsStartedForAMillisecondOfChecks)
+TEST_F(BrokerOnPool, NobodyElseIsStartedForTwoMillisecondsOfChecks)
 {
-    ofState = 50e-6;
+    ofState = 100e-6;
     for (std::uint32_t node = 0; node < 20; node += 2)
         demand({stateCheck(2 * node), stateCheck(2 * node + 2)});
     EXPECT_EQ(broker.statistics().usedInline, 20U);
-    EXPECT_NEAR(broker.now(), 1e-3, 1e-9);
+    EXPECT_NEAR(broker.now(), 2e-3, 1e-9);
     demand({stateCheck(100), stateCheck(102)});
     EXPECT_EQ(broker.statistics().usedInline, 21U);
-    EXPECT_NEAR(broker.now(), 1.05e-3, 1e-9);
+    EXPECT_NEAR(broker.now(), 2.1e-3, 1e-9);
 }
 
 TEST_F(BrokerOnPool, WhatIsCheaperThanHandingOverRunsAheadHere)

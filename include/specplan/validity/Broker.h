@@ -138,7 +138,7 @@ private:
     bool sourceBegins_ = false;   ///< the source has rested since it was last asked
     bool sawInvalid_ = false;     ///< since queued checks were last looked through
     double sourceSeconds_ = 0.0;  ///< spent on the source's proposals lately, executor's clock
-    double warmUp_ = 1e-3;
+    double warmUp_ = 2e-3;
     double secondsEver_ = 0.0;   ///< of all checks, in all queries
     double sourceGain_ = 0.0;    ///< seconds of the checks handed out for it lately, less what handing over costs
     double sourcePaused_ = 0.0;  ///< time until which the source is not asked
