@@ -15,8 +15,7 @@ constexpr std::size_t kMaxMotions = std::size_t{1} << 31;
 Lattice::Lattice(std::unique_ptr<const Neighbourhood> neighbourhood)
     : neighbourhood_(std::move(neighbourhood)),
       nodes_(neighbourhood_->dimension()),
-      ends_(neighbourhood_->maxSteps()),
-      guards_(neighbourhood_->maxGuards()),
+      tables_(*neighbourhood_),
       next_(neighbourhood_->dimension())
 {
 }
@@ -34,12 +33,19 @@ std::size_t Lattice::terminalIndex(NodeId node) const noexcept
                                     std::numeric_limits<Coordinate>::min());
 }
 
-void Lattice::setNeighbourhood(std::unique_ptr<const Neighbourhood> neighbourhood)
+void Lattice::setNeighbourhood(std::unique_ptr<const Neighbourhood> neighbourhood, int level)
 {
+    if (level == level_)
+        tables_ = StepTables(*neighbourhood);
+    else
+    {
+        const auto known = otherTables_.try_emplace(level, *neighbourhood).first;
+        otherTables_.insert_or_assign(level_, std::move(tables_));
+        tables_ = std::move(known->second);
+        otherTables_.erase(known);
+    }
     neighbourhood_ = std::move(neighbourhood);
-    firstMotion_.clear();  // the same numbers mean other steps
-    ends_ = NodeRows(neighbourhood_->maxSteps());
-    guards_ = NodeRows(neighbourhood_->maxGuards());
+    level_ = level;
 }
 
 void Lattice::connect(NodeId from, NodeId to, double cost)
@@ -71,20 +77,20 @@ MotionId Lattice::addMotion(NodeId from, NodeId to)
 
 MotionId Lattice::motionsOf(NodeId node)
 {
-    if (firstMotion_.size() <= node)
-        firstMotion_.resize(std::max<std::size_t>(nodes_.size(), firstMotion_.size() * 2), kNoMotion);
-    if (firstMotion_[node] == kNoMotion)
+    if (tables_.firstMotion.size() <= node)
+        tables_.firstMotion.resize(std::max<std::size_t>(nodes_.size(), tables_.firstMotion.size() * 2), kNoMotion);
+    if (tables_.firstMotion[node] == kNoMotion)
     {
         if (motions_.size() + neighbourhood_->maxSteps() >= kMaxMotions)
             throw std::length_error("the lattice has more than 2^31 touched motions; choose a coarser resolution");
-        firstMotion_[node] = static_cast<MotionId>(motions_.size());
+        tables_.firstMotion[node] = static_cast<MotionId>(motions_.size());
         motions_.growTo(motions_.size() + neighbourhood_->maxSteps());
         if (motionCosts_ != nullptr)
             motionCosts_->makeRoom(motions_.size());
         for (std::size_t i = 0; i < steps_.count; ++i)
-            motions_[firstMotion_[node] + steps_.steps[i].index].from = node;
+            motions_[tables_.firstMotion[node] + steps_.steps[i].index].from = node;
     }
-    return firstMotion_[node];
+    return tables_.firstMotion[node];
 }
 
 /// The node at these coordinates. It is written to `known` once: workers may be reading the end of a motion later on.
@@ -112,8 +118,8 @@ void Lattice::successors(NodeId node, Successors& out)
         const bool checksAll = motionCosts_ != nullptr;
         const bool storesMotions = needsMotions();
         const MotionId first = storesMotions ? motionsOf(node) : 0;
-        NodeId* ends = storesMotions ? nullptr : rowOf(ends_, node);
-        NodeId* guards = guards_.width() == 0 ? nullptr : rowOf(guards_, node);
+        NodeId* ends = storesMotions ? nullptr : rowOf(tables_.ends, node);
+        NodeId* guards = tables_.guards.width() == 0 ? nullptr : rowOf(tables_.guards, node);
         for (std::size_t i = 0; i < steps_.count; ++i)
         {
             const Steps::Step& step = steps_.steps[i];
@@ -135,7 +141,7 @@ void Lattice::successors(NodeId node, Successors& out)
 
 bool Lattice::hasMotions(NodeId node) const noexcept
 {
-    return node < firstMotion_.size() && firstMotion_[node] != kNoMotion;
+    return node < tables_.firstMotion.size() && tables_.firstMotion[node] != kNoMotion;
 }
 
 void Lattice::neighbours(NodeId node, std::vector<NodeId>& out)
@@ -154,10 +160,10 @@ void Lattice::neighbours(NodeId node, std::vector<NodeId>& out)
             out.push_back(end);
     };
     if (needsMotions())
-        for (MotionId motion = firstMotion_[node], last = motion + maxSteps(); motion != last; ++motion)
+        for (MotionId motion = tables_.firstMotion[node], last = motion + maxSteps(); motion != last; ++motion)
             add(motions_[motion].to);
     else
-        std::for_each_n(ends_.find(node), ends_.width(), add);
+        std::for_each_n(tables_.ends.find(node), tables_.ends.width(), add);
     if (const auto made = handMade_.find(node); made != handMade_.end())
         for (const HandMade& edge : made->second)
             if (edge.connected)

@@ -21,17 +21,24 @@ namespace
 constexpr std::size_t kMaxCorners = 1024;
 }  // namespace
 
-Embedding::Embedding(const ob::SpaceInformation& si, const PlannerSettings& settings, const ob::State* origin)
+Embedding::Embedding(const ob::SpaceInformation& si, const PlannerSettings& settings, const ob::State* origin,
+                     bool coarsens)
     : si_(si),
       settings_(settings),
       decomposition_(decompose(si.getStateSpace())),
-      components_(makeComponents(decomposition_, settings, origin))
+      components_(makeComponents(decomposition_, settings, origin, coarsens))
 {
     std::size_t dimension = 0;
     for (const auto& component : components_.all)
     {
         firstCoordinate_.push_back(dimension);
         dimension += component->dimension();
+    }
+    if (std::ranges::find(components_.begunCoarse, true) != components_.begunCoarse.end())
+    {
+        spacing_ = Spacing::Coarse;
+        refine();
+        level_ = 0;
     }
     curves_ = !decomposition_.sumsDistances ||
               std::ranges::any_of(decomposition_.parts, [](const Part& part) { return isCar(*part.space); });
@@ -54,12 +61,25 @@ std::unique_ptr<const lattice::Neighbourhood> Embedding::neighbourhood(bool disc
 bool Embedding::refine()
 {
     bool refined = false;
-    for (const auto& component : components_.all)
+    for (std::size_t i = 0; i < components_.all.size(); ++i)
     {
-        refined = refined || component->canRefine();
-        component->refine();
+        if (isCoarse() && !components_.begunCoarse[i])
+            continue;
+        refined = refined || components_.all[i]->canRefine();
+        components_.all[i]->refine();
     }
+    spacing_ = isCoarse() ? Spacing::Usual : Spacing::Fixed;
+    ++level_;
     return refined;
+}
+
+void Embedding::coarsen()
+{
+    for (std::size_t i = 0; i < components_.all.size(); ++i)
+        if (components_.begunCoarse[i])
+            components_.all[i]->coarsen();
+    spacing_ = Spacing::Coarse;
+    --level_;
 }
 
 double Embedding::coarseness() const

@@ -43,12 +43,12 @@ bool sameValues(const ob::StateSpace& space, const ob::State* a, const ob::State
 
 LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjectivePtr objective,
                            const PlannerSettings& settings, validity::Executor& executor, OmplChecker& checker,
-                           OmplChecker::Sources sources, const ob::State* origin)
+                           OmplChecker::Sources sources, const ob::State* origin, bool coarsens)
     : si_(si),
       objective_(std::move(objective)),
       settings_(settings),
       discreteMotions_(isDiscreteMotionValidator(*sources.motionValidators.front())),
-      embedding_(si, settings, origin),
+      embedding_(si, settings, origin, coarsens),
       lattice_(embedding_.neighbourhood(discreteMotions_)),
       costs_(isPathLength(*objective_) ? std::nullopt
                                        : std::make_optional<ObjectiveCosts>(si, *objective_, lattice_, embedding_)),
@@ -291,9 +291,21 @@ bool LatticeQuery::refine()
 {
     if (!embedding_.refine())
         return false;
+    takeNewSpacing();
+    return true;
+}
+
+void LatticeQuery::coarsen()
+{
+    embedding_.coarsen();
+    takeNewSpacing();
+}
+
+void LatticeQuery::takeNewSpacing()
+{
     dropSearch();
     lattice_.disconnectAll();  // terminals have other nodes around them now
-    lattice_.setNeighbourhood(embedding_.neighbourhood(discreteMotions_));
+    lattice_.setNeighbourhood(embedding_.neighbourhood(discreteMotions_), embedding_.level());
     const std::vector<StateHandle> starts = std::move(startStates_);
     const std::vector<StateHandle> goals = std::move(goalStates_);
     startStates_.clear();
@@ -306,7 +318,6 @@ bool LatticeQuery::refine()
     setGoal(goal_, region_);
     for (const StateHandle& goal : goals)
         addGoal(goal.get());
-    return true;
 }
 
 void LatticeQuery::successors(NodeId node, lattice::Successors& out) const

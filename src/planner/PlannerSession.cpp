@@ -41,6 +41,12 @@ constexpr double kExact = 1e-9;
 /// The part of a weight that is above 1 is divided by this for a better path.
 constexpr double kHaste = 3.0;
 
+/// Checks that a first path may take on a lattice over many axes before a coarser one is tried, and the checks that
+/// this one may take before the search goes back and stays.
+constexpr std::uint64_t kUsualPatience = 4000;
+constexpr std::uint64_t kCoarsePatience = 16000;
+constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max();
+
 /// Below this a weight is 1.
 constexpr double kLeastWeight = 1.05;
 
@@ -193,7 +199,7 @@ bool PlannerSession::takeStarts(ob::PlannerInputStates& inputs, const ob::Proble
             if (!objective)
                 objective = std::make_shared<ob::PathLengthOptimizationObjective>(si);
             query = std::make_unique<LatticeQuery>(*si, std::move(objective), settings, *executor, *checker,
-                                                   makeSources(), start);
+                                                   makeSources(), start, looksForBetter(pdef));
             refinements_ = 0;
         }
         query->addStart(start);
@@ -266,7 +272,10 @@ std::optional<ob::PlannerStatus> PlannerSession::openQuery(ob::PlannerInputState
     }
     if (changed)
     {
+        if (query->embedding().isCoarse())
+            (void)query->refine();
         weight_ = query->firstWeight(looksForBetter(pdef));
+        patience_ = query->embedding().canCoarsen() ? kUsualPatience : kEndless;
         finished_ = false;
         bestCost_.reset();
         bestPath_.reset();
@@ -332,7 +341,7 @@ SearchStatus PlannerSession::search(ob::PlannerInputStates& inputs, const ob::Go
             {
                 publishCounts();
                 goalCameUp = moreGoals(inputs, goal);
-                return goalCameUp || ptc();
+                return goalCameUp || isOutOfPatience() || ptc();
             });
         const bool waits = end == SearchStatus::Infeasible && goal.hasType(ob::GOAL_LAZY_SAMPLES) &&
                            goal.as<ob::GoalLazySamples>()->isSampling();
@@ -358,6 +367,12 @@ bool PlannerSession::beginBetterSearch(const ob::ProblemDefinition& pdef)
     finished_ = !looksForBetter(pdef) || pdef.getOptimizationObjective()->isSatisfied(*bestCost_);
     if (finished_)
         return false;
+    if (query->embedding().isCoarse())
+    {
+        changeSpacing();
+        return true;
+    }
+    patience_ = kEndless;  // there is a path
     if (query->addsCosts() && weight_ > 1.0)
     {
         weight_ = 1.0 + (weight_ - 1.0) / kHaste;
@@ -370,12 +385,38 @@ bool PlannerSession::beginBetterSearch(const ob::ProblemDefinition& pdef)
     return !finished_;
 }
 
+/// Whether a first path should be sought with another spacing.
+bool PlannerSession::isOutOfPatience() const
+{
+    const CheckStatistics& counts = query->broker().statistics();
+    return counts.checksUsed + counts.checksReused >= patience_;
+}
+
+/// Leaves the usual lattice for a coarse one, and that for the usual one again.
+void PlannerSession::changeSpacing()
+{
+    const Past past{expansions(), orderHash()};
+    if (query->embedding().canCoarsen())
+    {
+        query->coarsen();
+        patience_ = kUsualPatience + kCoarsePatience;
+    }
+    else
+    {
+        (void)query->refine();
+        patience_ = kEndless;
+    }
+    past_ = past;
+    query->beginSearch(weight_);
+}
+
 bool PlannerSession::refine()
 {
     const Past past{expansions(), orderHash()};
     if (!query->refine())
         return false;
     past_ = past;
+    patience_ = kEndless;
     ++refinements_;
     query->beginSearch(weight_);
     return true;
@@ -388,9 +429,11 @@ ob::PlannerStatus PlannerSession::solve(ob::PlannerInputStates& inputs, const ob
     while (!finished_)
     {
         const SearchStatus end = search(inputs, *pdef.getGoal(), ptc);
-        if (end == SearchStatus::Stopped)
+        if (end == SearchStatus::Stopped && !isOutOfPatience())
             break;
-        if (end == SearchStatus::Solved)
+        if (end == SearchStatus::Stopped || (end == SearchStatus::Infeasible && query->embedding().isCoarse()))
+            changeSpacing();
+        else if (end == SearchStatus::Solved)
         {
             takeSolution(planner);
             if (!beginBetterSearch(pdef))

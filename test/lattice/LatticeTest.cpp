@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "specplan/lattice/GridNeighbourhood.h"
@@ -117,6 +118,35 @@ TEST(Lattice, EveryMotionHasACheckOfItsOwnThatKnowsItsEnds)
         }
     EXPECT_EQ(checks.size(), motions);
     EXPECT_EQ(motions, 80U);
+}
+
+TEST(Lattice, StepsThatComeBackKeepTheirMotions)
+{
+    const auto neighbourhood = [](Coordinate stride)
+    {
+        GridSteps steps;
+        steps.stride = stride;
+        steps.cost = [](std::span<const Coordinate>) { return 2.0; };
+        steps.motionCheck = [](std::span<const Coordinate>) { return true; };
+        return std::make_unique<GridNeighbourhood>(GridBox{{0, 0}, {8, 8}}, steps);
+    };
+    Lattice lattice(neighbourhood(2));
+    const NodeId node = lattice.node(Row{4, 4}.data());
+    Successors usual;
+    lattice.successors(node, usual);
+    lattice.setNeighbourhood(neighbourhood(4), -1);
+    Successors coarse;
+    lattice.successors(node, coarse);
+    EXPECT_EQ(lattice.coordinates(coarse.edges[0].node)[0], 0);
+    for (const CheckId check : coarse.inner)
+        EXPECT_EQ(std::ranges::count(usual.inner, check), 0) << "other motions have other checks";
+    lattice.setNeighbourhood(neighbourhood(2), 0);
+    Successors again;
+    lattice.successors(node, again);
+    EXPECT_EQ(again.inner, usual.inner);
+    lattice.setNeighbourhood(neighbourhood(4), -1);
+    lattice.successors(node, again);
+    EXPECT_EQ(again.inner, coarse.inner);
 }
 
 TEST(Lattice, TerminalsAreJoinedByHand)

@@ -138,6 +138,91 @@ TEST(Anytime, TheFirstPathMayBeAllThatIsWanted)
     EXPECT_EQ(report.bound, 3.0);
 }
 
+/// Five axes and a wall between start and goal, with its gap far off: a long way to search on the usual lattice.
+struct ManyAxes : Scene
+{
+    ManyAxes() : Scene(5)
+    {
+        goals = {{0.9, 0.1, 0.1, 0.1, 0.1}};
+        askForLength(*this);
+        setup.getOptimizationObjective()->setCostThreshold(ob::Cost(100.0));  // the first path will do
+    }
+};
+
+TEST(Anytime, WithManyAxesTheFirstPathMayComeFromACoarserLattice)
+{
+    ManyAxes usual;
+    PlannerSettings settings = settingsFor(1);
+    settings.weight = 10.0;
+    settings.stopAtFirstPath = true;
+    usual.plan(settings);
+    ASSERT_EQ(usual.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+    const std::uint64_t checksOfUsual = usual.planner->getReport().checksUsed;
+    ASSERT_GT(checksOfUsual, 4000U);
+
+    settings.stopAtFirstPath = false;
+    std::uint64_t orderHash = 0;
+    for (const unsigned threads : {1U, 2U, 4U})
+    {
+        ManyAxes scene;
+        settings.numThreads = threads;
+        settings.speculationPolicy = "runahead";
+        scene.plan(settings);
+        ASSERT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+        const SearchReport& report = scene.planner->getReport();
+        EXPECT_TRUE(scene.path().check());
+        EXPECT_LT(report.checksUsed * 2, checksOfUsual);
+        EXPECT_GT(report.checksUsed, 4000U);
+        EXPECT_EQ(report.refinements, 0U);
+        if (threads == 1)
+            orderHash = report.orderHash;
+        EXPECT_EQ(report.orderHash, orderHash);
+    }
+}
+
+TEST(Anytime, WhereTheCoarserLatticeHasNoPathTheUsualOneHas)
+{
+    // A slit that the usual lattice, through 0.1 with 12 steps, has nodes in: at 0.1 + 9 / 12, not at 0.1 + 10 / 12.
+    ManyAxes scene;
+    scene.setup.setStateValidityChecker(
+        [](const ob::State* state)
+        {
+            const double* x = state->as<ob::RealVectorStateSpace::StateType>()->values;
+            return std::abs(x[0] - 0.5) > 0.05 || std::abs(x[1] - 0.85) < 0.03;
+        });
+    PlannerSettings settings = settingsFor(1);
+    settings.weight = 10.0;
+    scene.plan(settings);
+    ASSERT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_TRUE(scene.path().check());
+    EXPECT_GT(scene.planner->getReport().checksUsed, 4000U);
+    EXPECT_EQ(scene.planner->getReport().refinements, 0U);
+}
+
+TEST(Anytime, ASearchThatIsStoppedOnTheCoarserLatticeGoesOnThere)
+{
+    PlannerSettings settings = settingsFor(1);
+    settings.weight = 10.0;
+    ManyAxes whole;
+    whole.plan(settings);
+    ASSERT_EQ(whole.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+    ManyAxes parts;
+    parts.plan(settings);
+    int rounds = 0;
+    while (parts.solve(afterEvaluations(100)) != ob::PlannerStatus::EXACT_SOLUTION)
+        ASSERT_LT(++rounds, 10000);
+    EXPECT_GT(rounds, 3);
+    EXPECT_EQ(parts.planner->getReport().orderHash, whole.planner->getReport().orderHash);
+    EXPECT_EQ(parts.planner->getReport().checksUsed, whole.planner->getReport().checksUsed);
+
+    // Another query begins with the usual lattice again.
+    parts.setup.getProblemDefinition()->clearSolutionPaths();
+    parts.planner->clearQuery();
+    ASSERT_EQ(parts.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_EQ(parts.planner->getReport().orderHash, whole.planner->getReport().orderHash);
+    EXPECT_EQ(parts.planner->getReport().checksTotal, 0U) << "all is known";
+}
+
 class Queries : public testing::TestWithParam<unsigned>
 {
 };

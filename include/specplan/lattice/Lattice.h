@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -95,9 +96,10 @@ public:
         return nodes_.find(coordinates);
     }
 
-    /// Steps are those of another neighbourhood from now on; nodes and what is known of them stay. For finer steps on
-    /// the same coordinates.
-    void setNeighbourhood(std::unique_ptr<const Neighbourhood> neighbourhood);
+    /// Steps are those of another neighbourhood from now on; nodes and what is known of them stay. For coarser and
+    /// finer steps on the same coordinates. \param level steps that come back under the number that they had keep their
+    /// motions, with all that is known of them. Those of the beginning are number 0.
+    void setNeighbourhood(std::unique_ptr<const Neighbourhood> neighbourhood, int level);
 
     /// A new node off the grid, without motions until `connect` makes some.
     NodeId addTerminal();
@@ -152,7 +154,7 @@ public:
     /// Whether `neighbours` is as fast as it gets.
     [[nodiscard]] bool knowsNeighbours(NodeId node) const noexcept
     {
-        return needsMotions() ? hasMotions(node) : ends_.has(node);
+        return needsMotions() ? hasMotions(node) : tables_.ends.has(node);
     }
 
     /// The node that lies from `to` as `to` lies from `from`, if there is such a step.
@@ -180,6 +182,19 @@ private:
         bool connected;
     };
 
+    /// What is remembered of a neighbourhood's steps.
+    struct StepTables
+    {
+        explicit StepTables(const Neighbourhood& neighbourhood)
+            : ends(neighbourhood.maxSteps()), guards(neighbourhood.maxGuards())
+        {
+        }
+
+        std::vector<MotionId> firstMotion;  ///< node -> first of its maxSteps() motions, once it was asked for
+        NodeRows ends;                      ///< where no motion is checked: ends by the steps' index
+        NodeRows guards;                    ///< guards in the order of the steps
+    };
+
     MotionId motionsOf(NodeId node);
     [[nodiscard]] bool needsMotions() const noexcept
     {
@@ -195,9 +210,9 @@ private:
     std::unique_ptr<const Neighbourhood> neighbourhood_;
     NodeTable nodes_;
     util::SegmentedRows<Motion> motions_;
-    std::vector<MotionId> firstMotion_;  ///< node -> first of its maxSteps() motions, once it was asked for
-    NodeRows ends_;                      ///< where no motion is checked: ends by the steps' index
-    NodeRows guards_;                    ///< guards in the order of the steps
+    StepTables tables_;
+    int level_ = 0;
+    std::map<int, StepTables> otherTables_;  ///< by level
     std::unordered_map<NodeId, std::vector<HandMade>> handMade_;
     std::function<double(NodeId, NodeId)> stepCost_;
     MotionCosts* motionCosts_ = nullptr;

@@ -30,7 +30,9 @@ public:
 
     /// \param origin the lattice goes exactly through this state.
     /// \throws ompl::Exception if there is no lattice over the space, or the settings do not fit it.
-    Embedding(const ompl::base::SpaceInformation& si, const PlannerSettings& settings, const ompl::base::State* origin);
+    /// \param coarsens whether the lattice may be searched with twice the usual spacing first.
+    Embedding(const ompl::base::SpaceInformation& si, const PlannerSettings& settings, const ompl::base::State* origin,
+              bool coarsens = false);
 
     /// The steps of the lattice as it is now. \param discreteMotions whether motions as short as one valid segment need
     /// no check of their inside.
@@ -50,6 +52,27 @@ public:
 
     /// Halves the spacing. All nodes stay what they are. \return false if it cannot become any finer.
     bool refine();
+
+    /// Whether `coarsen` is possible: the spacing is the usual one, and there are enough axes for that to matter.
+    [[nodiscard]] bool canCoarsen() const noexcept
+    {
+        return spacing_ == Spacing::Usual;
+    }
+
+    /// Doubles the spacing of places, which `refine` undoes.
+    void coarsen();
+
+    /// Whether `coarsen` has been called, and `refine` not since.
+    [[nodiscard]] bool isCoarse() const noexcept
+    {
+        return spacing_ == Spacing::Coarse;
+    }
+
+    /// Number of the spacing: greater for finer ones, 0 for the usual one.
+    [[nodiscard]] int level() const noexcept
+    {
+        return level_;
+    }
 
     /// Greatest step along one axis as a multiple of the longest motion that needs no check.
     [[nodiscard]] double coarseness() const;
@@ -85,11 +108,20 @@ public:
     void describe(std::ostream& out) const;
 
 private:
+    enum class Spacing
+    {
+        Coarse,
+        Usual,
+        Fixed  ///< as it was asked for, or refined, or never to be coarse
+    };
+
     const ompl::base::SpaceInformation& si_;
     PlannerSettings settings_;
     Decomposition decomposition_;
     Components components_;
     bool curves_ = false;
+    int level_ = 0;
+    Spacing spacing_ = Spacing::Fixed;
     std::vector<std::size_t> firstCoordinate_;
     std::vector<StateHandle> terminals_;
 };

@@ -28,11 +28,12 @@ namespace specplan::planner
 class LatticeQuery
 {
 public:
-    /// \param objective shared so that it lives as long as the query. \param origin the first start.
+    /// \param objective shared so that it lives as long as the query. \param origin the first start. \param coarsens
+    /// whether a lattice of twice the usual spacing may be searched, too.
     /// \throws ompl::Exception if the settings do not fit the space.
     LatticeQuery(const ompl::base::SpaceInformation& si, ompl::base::OptimizationObjectivePtr objective,
                  const PlannerSettings& settings, validity::Executor& executor, OmplChecker& checker,
-                 OmplChecker::Sources sources, const ompl::base::State* origin);
+                 OmplChecker::Sources sources, const ompl::base::State* origin, bool coarsens);
 
     /// Forgets starts, goals and the search. Verdicts stay.
     void beginQuery();
@@ -56,6 +57,9 @@ public:
 
     /// Halves the spacing of the lattice; `beginSearch` has to follow. \return false if that is not possible.
     bool refine();
+
+    /// Doubles the spacing of places until the next `refine`, see Embedding; `beginSearch` has to follow.
+    void coarsen();
 
     /// Whether the search checks lazily.
     [[nodiscard]] bool isLazy() const noexcept
@@ -164,6 +168,7 @@ private:
     void beginEagerSearch();
     void beginLazySearch();
     [[nodiscard]] bool canBeLazy() const;
+    void takeNewSpacing();
     void dropSearch();
     /// A terminal at this state; the one of an earlier query if there is one.
     lattice::NodeId terminalAt(const ompl::base::State* state);

@@ -129,6 +129,8 @@ private:
     [[nodiscard]] bool looksForBetter(const ompl::base::ProblemDefinition& pdef) const;
     [[nodiscard]] bool beginBetterSearch(const ompl::base::ProblemDefinition& pdef);
     [[nodiscard]] bool refine();
+    [[nodiscard]] bool isOutOfPatience() const;
+    void changeSpacing();
     [[nodiscard]] std::shared_ptr<ompl::geometric::PathGeometric> pathTo(lattice::NodeId node) const;
     void takeSolution(ompl::base::Planner& planner);
     void publishSolution(ompl::base::Planner& planner) const;
@@ -139,7 +141,8 @@ private:
     double weight_ = 1.0;  ///< of the current search
     double bound_ = std::numeric_limits<double>::quiet_NaN();
     unsigned refinements_ = 0;
-    bool finished_ = false;  ///< nothing is left to be improved
+    std::uint64_t patience_ = 0;  ///< checks used after which the spacing is changed for a first path
+    bool finished_ = false;       ///< nothing is left to be improved
     std::optional<ompl::base::Cost> bestCost_;
     std::shared_ptr<ompl::geometric::PathGeometric> bestPath_;
     Past past_;

@@ -130,6 +130,13 @@ void AxesComponent::refine()
         axis.stride = std::max(axis.stride / 2, 1);
 }
 
+void AxesComponent::coarsen()
+{
+    for (std::size_t axis = 0; axis < grid_.size(); ++axis)
+        if (!axes_[axis].whole && grid_[axis].stride <= std::numeric_limits<Coordinate>::max() / 2)
+            grid_[axis].stride *= 2;
+}
+
 double AxesComponent::coarseness() const
 {
     double longest = 0.0;

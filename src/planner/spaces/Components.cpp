@@ -215,6 +215,15 @@ lattice::Coordinate rotationCells(const Draft&, const PlannerSettings& settings,
     return alone ? 4 : 1;
 }
 
+/// Where there are many axes the usual lattice may be too large to be searched for a first path.
+constexpr unsigned kManyAxes = 5;
+
+/// Whether a part is a place, with a spacing that may be doubled; not an angle with its few values.
+bool isPlace(const Draft& draft)
+{
+    return !draft.axes.empty() && !draft.angle;
+}
+
 /// How often the lattice may be refined: until its steps are as short as motions that need no check.
 unsigned levelsOf(const std::vector<Draft>& drafts, const PlannerSettings& settings)
 {
@@ -266,7 +275,8 @@ std::unique_ptr<Component> makeComponent(Draft& draft, const PlannerSettings& se
 }
 }  // namespace
 
-Components makeComponents(const Decomposition& decomposition, const PlannerSettings& settings, const ob::State* origin)
+Components makeComponents(const Decomposition& decomposition, const PlannerSettings& settings, const ob::State* origin,
+                          bool coarse)
 {
     std::vector<Draft> drafts;
     Components components;
@@ -281,15 +291,20 @@ Components makeComponents(const Decomposition& decomposition, const PlannerSetti
     chooseSpacings(drafts, settings);
     const bool alone = drafts.size() == 1;
     const unsigned levels = levelsOf(drafts, settings);
+    coarse = coarse && components.axes >= kManyAxes && settings.resolution == 0.0 && settings.spacing.empty();
     for (Draft& draft : drafts)
     {
+        components.begunCoarse.push_back(coarse && isPlace(draft));
+        if (components.begunCoarse.back())
+            for (RealAxis& axis : draft.axes)
+                axis.spacing *= axis.whole ? 1.0 : 2.0;
         const ob::StateSpace& space = *draft.part->space;
         LatticeOptions options{};
         options.weight = draft.part->weight;
         options.longest = decomposition.sumsDistances
                               ? space.getLongestValidSegmentLength() / space.getValidSegmentCountFactor()
                               : -1.0;
-        options.levels = levels;
+        options.levels = levels + (components.begunCoarse.back() ? 1 : 0);
         options.connectivity = chooseConnectivity(settings.connectivity, axesOf(draft), !alone, draft.rotation);
         components.all.push_back(makeComponent(draft, settings, origin, options, alone));
     }

@@ -49,6 +49,7 @@ public:
     [[nodiscard]] std::unique_ptr<const lattice::Factor> factor(bool discreteMotions) const override;
     [[nodiscard]] bool canRefine() const noexcept override;
     void refine() override;
+    void coarsen() override;
     [[nodiscard]] double coarseness() const override;
     void write(const lattice::Coordinate* node, ompl::base::State* state) const override;
     [[nodiscard]] std::vector<Coordinates> corners(const ompl::base::State* state, Joint joint) const override;

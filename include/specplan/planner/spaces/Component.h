@@ -66,6 +66,11 @@ public:
     /// Halves the steps; does nothing where there is nothing left.
     virtual void refine() = 0;
 
+    /// Doubles the steps, which `refine` undoes; does nothing where that is not possible.
+    virtual void coarsen()
+    {
+    }
+
     /// Length of the shortest step of one axis, as a multiple of the longest motion that needs no check of its inside.
     [[nodiscard]] virtual double coarseness() const = 0;
 

@@ -16,6 +16,7 @@ struct Components
     std::vector<std::unique_ptr<Component>> all;  ///< one for each part
     unsigned axes = 0;                            ///< degrees of freedom; a rotation in space has three
     unsigned connectivity = 0;                    ///< axes that steps of several components may change together
+    std::vector<bool> begunCoarse;                ///< of each: whether it has twice the usual spacing at first
 };
 
 /// Makes the components, with a lattice that goes through `origin`.
@@ -24,7 +25,10 @@ struct Components
 /// axes, 12 up to seven, and 8 beyond; angles beside other axes get 16, and rotations the 40 that are 90 degrees apart.
 /// That lattice can be refined; one that was asked for cannot.
 ///
+/// \param coarse whether places, as opposed to angles and rotations, get twice that spacing: from five axes on, where
+/// none was asked for.
+///
 /// \throws ompl::Exception where an axis has no bounds, or the settings do not fit the space.
 [[nodiscard]] Components makeComponents(const Decomposition& decomposition, const PlannerSettings& settings,
-                                        const ompl::base::State* origin);
+                                        const ompl::base::State* origin, bool coarse);
 }  // namespace specplan::planner
