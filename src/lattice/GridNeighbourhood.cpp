@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
+#include <ranges>
 #include <stdexcept>
 #include <string>
 
@@ -45,34 +46,48 @@ void GridNeighbourhood::addDirections(const GridSteps& steps)
         const double cost = steps.cost(offset.values);
         if (!(cost > 0.0) || !std::isfinite(cost))
             throw std::invalid_argument("every step of a grid needs a finite cost greater than 0");
-        Steps::Step pattern{cost, static_cast<std::uint32_t>(patterns_.size()), 0, 0,
-                            steps.motionCheck && steps.motionCheck(offset.values)};
-        if (!steps.cornerCutting)
-            addGuardOffsets(offset.values, pattern);
-        hasMotionChecks_ = hasMotionChecks_ || pattern.motionCheck;
-        patterns_.push_back(pattern);
+        patterns_.push_back({cost, steps.motionCheck && steps.motionCheck(offset.values), {}});
+        hasMotionChecks_ = hasMotionChecks_ || patterns_.back().motionCheck;
         offsets_.insert(offsets_.end(), offset.values.begin(), offset.values.end());
     }
+    if (!steps.cornerCutting)
+        for (std::uint32_t step = 0; step < maxSteps(); ++step)
+            addGuards(step);
 }
 
-void GridNeighbourhood::addGuardOffsets(const std::vector<Coordinate>& offset, Steps::Step& pattern)
+/// The corners of the box that a step spans are where the steps lead that change some of its axes.
+void GridNeighbourhood::addGuards(std::uint32_t step)
 {
+    const std::span<const Coordinate> offset = offsetOf(step);
     std::vector<std::size_t> axes;
     for (std::size_t axis = 0; axis < offset.size(); ++axis)
         if (offset[axis] != 0)
             axes.push_back(axis);
     if (axes.size() > kMaxGuardedAxes)
         throw std::invalid_argument("without corner cutting at most 12 axes may change in one step");
-    pattern.firstGuard = static_cast<std::uint32_t>(guardOffsets_.size() / offset.size());
     for (std::size_t subset = 1; subset + 1 < (std::size_t{1} << axes.size()); ++subset)
     {
         std::vector<Coordinate> corner(offset.size(), 0);
         for (std::size_t bit = 0; bit < axes.size(); ++bit)
             if ((subset >> bit & 1U) != 0)
                 corner[axes[bit]] = offset[axes[bit]];
-        guardOffsets_.insert(guardOffsets_.end(), corner.begin(), corner.end());
-        ++pattern.guards;
+        patterns_[step].guards.push_back(stepBy(corner));
     }
+}
+
+std::span<const Coordinate> GridNeighbourhood::offsetOf(std::uint32_t step) const
+{
+    return std::span(offsets_).subspan(step * dimension(), dimension());
+}
+
+/// The step with this offset. They are in lexicographic order.
+std::uint32_t GridNeighbourhood::stepBy(std::span<const Coordinate> offset) const
+{
+    const auto steps = std::views::iota(0U, maxSteps());
+    const auto place = std::ranges::partition_point(
+        steps, [&](std::uint32_t step) { return std::ranges::lexicographical_compare(offsetOf(step), offset); });
+    assert(place != steps.end() && std::ranges::equal(offsetOf(*place), offset));
+    return *place;
 }
 
 void GridNeighbourhood::steps(const Coordinate* from, Steps& out) const
@@ -82,7 +97,6 @@ void GridNeighbourhood::steps(const Coordinate* from, Steps& out) const
         out.steps.resize(patterns_.size());
     if (out.ends.size() < offsets_.size())
         out.ends.resize(offsets_.size());
-    out.guards.clear();
     bool interior = true;  // all neighbours lie inside the box
     for (std::size_t axis = 0; axis < n; ++axis)
         interior = interior && from[axis] - stride_ >= box_.lower[axis] && from[axis] + stride_ <= box_.upper[axis];
@@ -90,30 +104,17 @@ void GridNeighbourhood::steps(const Coordinate* from, Steps& out) const
     Coordinate* end = out.ends.data();
     const Coordinate* offset = offsets_.data();
     Steps::Step* step = out.steps.data();
-    for (const Steps::Step& pattern : patterns_)
+    for (std::uint32_t index = 0; index < patterns_.size(); ++index)
     {
         for (std::size_t axis = 0; axis < n; ++axis)
             end[axis] = from[axis] + offset[axis];
         offset += n;
         if (!interior && !contains(end))
             continue;
-        *step = pattern;
-        if (pattern.guards > 0)
-            addGuards(from, *step, out.guards);
-        ++step;
+        *step++ = {patterns_[index].cost, index, patterns_[index].motionCheck};
         end += n;
     }
     out.count = static_cast<std::size_t>(step - out.steps.data());
-}
-
-void GridNeighbourhood::addGuards(const Coordinate* from, Steps::Step& step, std::vector<Coordinate>& guards) const
-{
-    const std::size_t n = dimension();
-    assert(n > 0);
-    const Coordinate* offset = &guardOffsets_[step.firstGuard * n];
-    step.firstGuard = static_cast<std::uint32_t>(guards.size() / n);
-    for (std::size_t i = 0; i < step.guards * n; ++i)
-        guards.push_back(from[i % n] + offset[i]);
 }
 
 bool GridNeighbourhood::goOn(const Coordinate* from, const Coordinate* to, Coordinate* next) const

@@ -101,42 +101,97 @@ NodeId Lattice::internOnce(NodeId& known, const Coordinate* coordinates)
     return known;
 }
 
-NodeId* Lattice::rowOf(NodeRows& rows, NodeId node)
-{
-    NodeId* row = rows.find(node);
-    return row != nullptr ? row : rows.make(node);
-}
-
 void Lattice::successors(NodeId node, Successors& out)
 {
     out.edges.clear();
     out.inner.clear();
     if (!isTerminal(node))
     {
-        const std::size_t n = dimension();
-        neighbourhood_->steps(nodes_.coordinates(node).data(), steps_);
-        const bool checksAll = motionCosts_ != nullptr;
-        const bool storesMotions = needsMotions();
-        const MotionId first = storesMotions ? motionsOf(node) : 0;
-        NodeId* ends = storesMotions ? nullptr : rowOf(tables_.ends, node);
-        NodeId* guards = tables_.guards.width() == 0 ? nullptr : rowOf(tables_.guards, node);
-        for (std::size_t i = 0; i < steps_.count; ++i)
-        {
-            const Steps::Step& step = steps_.steps[i];
-            const auto firstInner = static_cast<std::uint32_t>(out.inner.size());
-            const NodeId end =
-                internOnce(storesMotions ? motions_[first + step.index].to : ends[step.index], &steps_.ends[i * n]);
-            for (std::size_t guard = 0; guard < step.guards; ++guard)
-                out.inner.push_back(
-                    CheckId::ofState(internOnce(*guards++, &steps_.guards[(step.firstGuard + guard) * n])));
-            if (step.motionCheck || checksAll)
-                out.inner.push_back(CheckId::ofMotion(first + step.index));
-            out.edges.push_back({end, costOf(node, end, step.cost), firstInner,
-                                 static_cast<std::uint32_t>(out.inner.size()) - firstInner});
-        }
+        const std::span<const Neighbourhood::Pattern> patterns = neighbourhood_->patterns();
+        if (patterns.empty())
+            addSteps(node, out);
+        else
+            addPatterns(node, patterns, out);
     }
     if (!handMade_.empty())
         addHandMade(node, out);
+}
+
+/// Finds the ends of a node's steps, and remembers them.
+void Lattice::meet(NodeId node)
+{
+    neighbourhood_->steps(nodes_.coordinates(node).data(), steps_);
+    const std::size_t n = dimension();
+    if (needsMotions())
+    {
+        const MotionId first = motionsOf(node);
+        for (std::size_t i = 0; i < steps_.count; ++i)
+            (void)internOnce(motions_[first + steps_.steps[i].index].to, &steps_.ends[i * n]);
+        return;
+    }
+    NodeId* ends = tables_.ends.has(node) ? tables_.ends.find(node) : tables_.ends.make(node);
+    for (std::size_t i = 0; i < steps_.count; ++i)
+        (void)internOnce(ends[steps_.steps[i].index], &steps_.ends[i * n]);
+}
+
+/// Steps that depend on where they start.
+void Lattice::addSteps(NodeId node, Successors& out)
+{
+    meet(node);
+    const bool storesMotions = needsMotions();
+    const MotionId first = storesMotions ? motionsOf(node) : 0;
+    const NodeId* ends = storesMotions ? nullptr : tables_.ends.find(node);
+    for (std::size_t i = 0; i < steps_.count; ++i)
+    {
+        const Steps::Step& step = steps_.steps[i];
+        const auto firstInner = static_cast<std::uint32_t>(out.inner.size());
+        const NodeId end = storesMotions ? motions_[first + step.index].to : ends[step.index];
+        if (step.motionCheck || motionCosts_ != nullptr)
+            out.inner.push_back(CheckId::ofMotion(first + step.index));
+        out.edges.push_back(
+            {end, costOf(node, end, step.cost), firstInner, static_cast<std::uint32_t>(out.inner.size()) - firstInner});
+    }
+}
+
+/// Steps that are the same everywhere: once the ends are known there is nothing left to be computed.
+void Lattice::addPatterns(NodeId node, std::span<const Neighbourhood::Pattern> patterns, Successors& out)
+{
+    if (!knowsNeighbours(node))
+        meet(node);
+    if (needsMotions())
+    {
+        const MotionId first = tables_.firstMotion[node];
+        addPatterns(
+            node, patterns, first, [this, first](std::uint32_t step) { return motions_[first + step].to; }, out);
+    }
+    else
+    {
+        const NodeId* ends = tables_.ends.find(node);
+        addPatterns(
+            node, patterns, 0, [ends](std::uint32_t step) { return ends[step]; }, out);
+    }
+}
+
+template <typename EndOf>
+void Lattice::addPatterns(NodeId node, std::span<const Neighbourhood::Pattern> patterns, MotionId first, EndOf endOf,
+                          Successors& out) const
+{
+    const bool checksAll = motionCosts_ != nullptr;
+    const bool costsAsTheStep = motionCosts_ == nullptr && !stepCost_;
+    for (std::uint32_t step = 0; step < patterns.size(); ++step)
+    {
+        const NodeId end = endOf(step);
+        if (end == kNoNode)
+            continue;
+        const Neighbourhood::Pattern& pattern = patterns[step];
+        const auto firstInner = static_cast<std::uint32_t>(out.inner.size());
+        for (const std::uint32_t guard : pattern.guards)
+            out.inner.push_back(CheckId::ofState(endOf(guard)));
+        if (pattern.motionCheck || checksAll)
+            out.inner.push_back(CheckId::ofMotion(first + step));
+        out.edges.push_back({end, costsAsTheStep ? pattern.cost : costOf(node, end, pattern.cost), firstInner,
+                             static_cast<std::uint32_t>(out.inner.size()) - firstInner});
+    }
 }
 
 bool Lattice::hasMotions(NodeId node) const noexcept

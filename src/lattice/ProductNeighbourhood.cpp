@@ -22,23 +22,24 @@ ProductNeighbourhood::ProductNeighbourhood(std::vector<std::unique_ptr<const Fac
         dimension_ += factor->dimension();
     }
     std::vector<Part> parts;
-    addPatterns(0, connectivity, parts);
+    addCombinations(0, connectivity, parts);
+    addPatterns();
 }
 
 /// Enters every choice of steps of the factors from `factor` on, beside the parts chosen so far.
-void ProductNeighbourhood::addPatterns(std::size_t factor, unsigned axesLeft, std::vector<Part>& parts)
+void ProductNeighbourhood::addCombinations(std::size_t factor, unsigned axesLeft, std::vector<Part>& parts)
 {
     if (factor == factors_.size())
     {
         if (parts.empty())
             return;
-        if (patterns_.size() == kMaxSteps)
+        if (combinations_.size() == kMaxSteps)
             throw std::invalid_argument("a node has more than 65536 neighbours; choose a smaller connectivity");
-        patterns_.push_back({parts_.size(), parts_.size() + parts.size()});
+        combinations_.push_back({parts_.size(), parts_.size() + parts.size()});
         parts_.insert(parts_.end(), parts.begin(), parts.end());
         return;
     }
-    addPatterns(factor + 1, axesLeft, parts);
+    addCombinations(factor + 1, axesLeft, parts);
     for (std::uint32_t step = 0; step < factors_[factor]->steps(); ++step)
     {
         const unsigned axes = factors_[factor]->axes(step);
@@ -46,17 +47,37 @@ void ProductNeighbourhood::addPatterns(std::size_t factor, unsigned axesLeft, st
         if (!parts.empty() && axes > axesLeft)
             continue;
         parts.push_back({static_cast<std::uint32_t>(factor), step});
-        addPatterns(factor + 1, axes < axesLeft ? axesLeft - axes : 0, parts);
+        addCombinations(factor + 1, axes < axesLeft ? axesLeft - axes : 0, parts);
         parts.pop_back();
     }
 }
 
-bool ProductNeighbourhood::take(const Coordinate* from, const Pattern& pattern, Coordinate* end,
+void ProductNeighbourhood::addPatterns()
+{
+    for (const Combination& combination : combinations_)
+    {
+        Pattern pattern{0.0, false, {}};
+        for (std::size_t i = combination.first; i < combination.last; ++i)
+        {
+            const std::optional<Factor::Taken> taken = factors_[parts_[i].factor]->always(parts_[i].step);
+            if (!taken)
+            {
+                patterns_.clear();
+                return;
+            }
+            pattern.cost += taken->cost;
+            pattern.motionCheck = pattern.motionCheck || taken->checked;
+        }
+        patterns_.push_back(std::move(pattern));
+    }
+}
+
+bool ProductNeighbourhood::take(const Coordinate* from, const Combination& combination, Coordinate* end,
                                 Factor::Taken& taken) const
 {
     std::copy_n(from, dimension_, end);
     taken = {0.0, false};
-    for (std::size_t i = pattern.first; i < pattern.last; ++i)
+    for (std::size_t i = combination.first; i < combination.last; ++i)
     {
         const Part& part = parts_[i];
         const std::size_t first = firstCoordinate_[part.factor];
@@ -71,26 +92,26 @@ bool ProductNeighbourhood::take(const Coordinate* from, const Pattern& pattern, 
 
 void ProductNeighbourhood::steps(const Coordinate* from, Steps& out) const
 {
-    if (out.steps.size() < patterns_.size())
-        out.steps.resize(patterns_.size());
-    if (out.ends.size() < patterns_.size() * dimension_)
-        out.ends.resize(patterns_.size() * dimension_);
+    if (out.steps.size() < combinations_.size())
+        out.steps.resize(combinations_.size());
+    if (out.ends.size() < combinations_.size() * dimension_)
+        out.ends.resize(combinations_.size() * dimension_);
     out.count = 0;
-    for (std::uint32_t index = 0; index < patterns_.size(); ++index)
+    for (std::uint32_t index = 0; index < combinations_.size(); ++index)
     {
         Factor::Taken taken{};
-        if (!take(from, patterns_[index], &out.ends[out.count * dimension_], taken))
+        if (!take(from, combinations_[index], &out.ends[out.count * dimension_], taken))
             continue;
-        out.steps[out.count++] = {taken.cost, index, 0, 0, taken.checked};
+        out.steps[out.count++] = {taken.cost, index, taken.checked};
     }
 }
 
 bool ProductNeighbourhood::goOn(const Coordinate* from, const Coordinate* to, Coordinate* next) const
 {
     Factor::Taken taken{};
-    for (const Pattern& pattern : patterns_)
-        if (take(from, pattern, next, taken) && std::equal(next, next + dimension_, to))
-            return take(to, pattern, next, taken);
+    for (const Combination& combination : combinations_)
+        if (take(from, combination, next, taken) && std::equal(next, next + dimension_, to))
+            return take(to, combination, next, taken);
     return false;
 }
 }  // namespace specplan::lattice

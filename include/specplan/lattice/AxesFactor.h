@@ -44,6 +44,11 @@ public:
         return patterns_[step].axes;
     }
 
+    [[nodiscard]] std::optional<Taken> always(std::uint32_t step) const noexcept override
+    {
+        return patterns_[step].taken;
+    }
+
     bool take(const Coordinate* from, std::uint32_t step, Coordinate* end, Taken& taken) const override;
 
 private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "specplan/lattice/NodeTable.h"
 
@@ -30,6 +31,12 @@ public:
         double cost;   ///< at least 0
         bool checked;  ///< whether the inside of the motion needs a check of its own
     };
+
+    /// What a step costs, if that is the same wherever it starts.
+    [[nodiscard]] virtual std::optional<Taken> always(std::uint32_t) const noexcept
+    {
+        return std::nullopt;
+    }
 
     /// Takes a step: writes its end.
     /// \return false where there is no such step, or where it would leave the bounds.

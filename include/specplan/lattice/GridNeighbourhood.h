@@ -53,9 +53,9 @@ public:
         return static_cast<std::uint32_t>(patterns_.size());
     }
 
-    [[nodiscard]] std::size_t maxGuards() const noexcept override
+    [[nodiscard]] std::span<const Pattern> patterns() const noexcept override
     {
-        return guardOffsets_.size() / box_.lower.size();
+        return patterns_;
     }
 
     [[nodiscard]] bool hasMotionChecks() const noexcept override
@@ -71,14 +71,14 @@ public:
 
 private:
     void addDirections(const GridSteps& steps);
-    void addGuardOffsets(const std::vector<Coordinate>& offset, Steps::Step& pattern);
-    void addGuards(const Coordinate* from, Steps::Step& step, std::vector<Coordinate>& guards) const;
+    void addGuards(std::uint32_t step);
+    [[nodiscard]] std::span<const Coordinate> offsetOf(std::uint32_t step) const;
+    [[nodiscard]] std::uint32_t stepBy(std::span<const Coordinate> offset) const;
 
     GridBox box_;
     Coordinate stride_;
-    std::vector<Steps::Step> patterns_;     ///< one for each direction; firstGuard counts rows of guardOffsets_
-    std::vector<Coordinate> offsets_;       ///< a row for each direction
-    std::vector<Coordinate> guardOffsets_;  ///< rows
+    std::vector<Pattern> patterns_;    ///< one for each direction
+    std::vector<Coordinate> offsets_;  ///< a row for each direction
     bool hasMotionChecks_ = false;
 };
 }  // namespace specplan::lattice

@@ -185,14 +185,12 @@ private:
     /// What is remembered of a neighbourhood's steps.
     struct StepTables
     {
-        explicit StepTables(const Neighbourhood& neighbourhood)
-            : ends(neighbourhood.maxSteps()), guards(neighbourhood.maxGuards())
+        explicit StepTables(const Neighbourhood& neighbourhood) : ends(neighbourhood.maxSteps())
         {
         }
 
         std::vector<MotionId> firstMotion;  ///< node -> first of its maxSteps() motions, once it was asked for
         NodeRows ends;                      ///< where no motion is checked: ends by the steps' index
-        NodeRows guards;                    ///< guards in the order of the steps
     };
 
     MotionId motionsOf(NodeId node);
@@ -202,7 +200,12 @@ private:
     }
     [[nodiscard]] bool hasMotions(NodeId node) const noexcept;
     [[nodiscard]] NodeId internOnce(NodeId& known, const Coordinate* coordinates);
-    [[nodiscard]] static NodeId* rowOf(NodeRows& rows, NodeId node);
+    void meet(NodeId node);
+    void addSteps(NodeId node, Successors& out);
+    void addPatterns(NodeId node, std::span<const Neighbourhood::Pattern> patterns, Successors& out);
+    template <typename EndOf>
+    void addPatterns(NodeId node, std::span<const Neighbourhood::Pattern> patterns, MotionId first, EndOf endOf,
+                     Successors& out) const;
     void addHandMade(NodeId node, Successors& out) const;
     [[nodiscard]] double costOf(NodeId from, NodeId to, double ofStep) const;
     MotionId addMotion(NodeId from, NodeId to);

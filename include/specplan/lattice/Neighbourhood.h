@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "specplan/lattice/NodeTable.h"
@@ -16,17 +16,14 @@ struct Steps
 {
     struct Step
     {
-        double cost;               ///< cost of the motion, greater than 0
-        std::uint32_t index;       ///< number of the motion among those of a node, below Neighbourhood::maxSteps()
-        std::uint32_t firstGuard;  ///< guards of this step: rows [firstGuard, firstGuard + guards) of `guards`
-        std::uint16_t guards;      ///< number of guards
-        bool motionCheck;          ///< whether the inside of the motion needs a check of its own
+        double cost;          ///< cost of the motion, greater than 0
+        std::uint32_t index;  ///< number of the motion among those of a node, below Neighbourhood::maxSteps()
+        bool motionCheck;     ///< whether the inside of the motion needs a check of its own
     };
 
-    std::size_t count = 0;           ///< number of steps
-    std::vector<Step> steps;         ///< the first `count` hold
-    std::vector<Coordinate> ends;    ///< rows: where each step leads
-    std::vector<Coordinate> guards;  ///< rows: further nodes whose states have to be valid for a step to be taken
+    std::size_t count = 0;         ///< number of steps
+    std::vector<Step> steps;       ///< the first `count` hold
+    std::vector<Coordinate> ends;  ///< rows: where each step leads
 };
 
 /// Which nodes can be reached from a node in one motion. Depends on coordinates only, never on verdicts.
@@ -42,10 +39,19 @@ public:
     /// One more than the greatest Step::index.
     [[nodiscard]] virtual std::uint32_t maxSteps() const noexcept = 0;
 
-    /// The most guards that the steps out of one node have together.
-    [[nodiscard]] virtual std::size_t maxGuards() const noexcept
+    /// What a step is like wherever it starts.
+    struct Pattern
     {
-        return 0;
+        double cost;
+        bool motionCheck;
+        std::vector<std::uint32_t> guards;  ///< steps whose ends have to be valid for this one, too; they exist where
+                                            ///< it does
+    };
+
+    /// The steps by their index, if they are the same wherever they start. Empty if not; then no step has guards.
+    [[nodiscard]] virtual std::span<const Pattern> patterns() const noexcept
+    {
+        return {};
     }
 
     /// Whether any step asks for a check of its motion.

@@ -24,12 +24,17 @@ public:
 
     [[nodiscard]] std::uint32_t maxSteps() const noexcept override
     {
-        return static_cast<std::uint32_t>(patterns_.size());
+        return static_cast<std::uint32_t>(combinations_.size());
     }
 
     [[nodiscard]] bool hasMotionChecks() const noexcept override
     {
         return true;
+    }
+
+    [[nodiscard]] std::span<const Pattern> patterns() const noexcept override
+    {
+        return patterns_;
     }
 
     void steps(const Coordinate* from, Steps& out) const override;
@@ -44,19 +49,21 @@ private:
     };
 
     /// The parts of one step of the product: [first, last) of parts_.
-    struct Pattern
+    struct Combination
     {
         std::size_t first;
         std::size_t last;
     };
 
-    void addPatterns(std::size_t factor, unsigned axesLeft, std::vector<Part>& parts);
-    bool take(const Coordinate* from, const Pattern& pattern, Coordinate* end, Factor::Taken& taken) const;
+    void addCombinations(std::size_t factor, unsigned axesLeft, std::vector<Part>& parts);
+    void addPatterns();
+    bool take(const Coordinate* from, const Combination& combination, Coordinate* end, Factor::Taken& taken) const;
 
     std::vector<std::unique_ptr<const Factor>> factors_;
     std::vector<std::size_t> firstCoordinate_;  ///< factor -> its place among the coordinates
     std::size_t dimension_ = 0;
-    std::vector<Pattern> patterns_;
+    std::vector<Combination> combinations_;  ///< by the step's index
+    std::vector<Pattern> patterns_;          ///< the same, if all factors always cost the same
     std::vector<Part> parts_;
 };
 }  // namespace specplan::lattice
