@@ -63,6 +63,18 @@ void notePath(Run& run)
     for (const ob::State* state : run.setup->getSolutionPath().getStates())
         space.copyToReals(run.path.emplace_back(), state);
 }
+
+/// What SpeculativeAStar's report would call it.
+std::string nameOf(ob::PlannerStatus::StatusType status)
+{
+    for (const auto& [known, name] : {std::pair{ob::PlannerStatus::EXACT_SOLUTION, "solved"},
+                                      {ob::PlannerStatus::INVALID_START, "invalid start"},
+                                      {ob::PlannerStatus::INVALID_GOAL, "invalid goal"},
+                                      {ob::PlannerStatus::CRASH, "crash"}})
+        if (status == known)
+            return name;
+    return "timeout";
+}
 }  // namespace
 
 void stopOnInterrupt()
@@ -151,7 +163,7 @@ Run planOnceWith(const Problem& problem, const CommonOptions& options, const pro
         run.setup->solve(ob::PlannerTerminationCondition([end] { return interrupted() || Clock::now() >= end; }));
     run.report.wallTime = std::chrono::duration<double>(Clock::now() - begin).count();
     run.report.cost = std::numeric_limits<double>::quiet_NaN();
-    run.report.status = status == ob::PlannerStatus::EXACT_SOLUTION ? "solved" : "timeout";
+    run.report.status = nameOf(status);
     if (!run.solved())
         return run;
     run.report.cost = run.setup->getSolutionPath().cost(run.setup->getOptimizationObjective()).value();

@@ -35,6 +35,14 @@ protected:
     RoomFolder room_;
 };
 
+TEST_F(RigidBodyCommand, APlannerThatCannotBeginIsNotATimeout)
+{
+    const Outcome outcome =
+        call("plan " + problem(RoomFolder::spatial()) + " --planner 'SpeculativeAStar:spacing=1,2,3,4,5' --json");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.json()["status"], "crash");
+}
+
 TEST_F(RigidBodyCommand, PlanWritesPictureTraceAndPath)
 {
     for (const bool planar : {true, false})
