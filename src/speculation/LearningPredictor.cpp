@@ -13,6 +13,9 @@ namespace
 /// Weight of the belief that a record starts with, in observations.
 constexpr double kBelief = 4.0;
 
+/// With more steps out of a node than this it is costly to find where they lead.
+constexpr std::uint32_t kFewSteps = 10;
+
 /// Nothing is impossible.
 constexpr double kLeast = 1e-3;
 }  // namespace
@@ -54,7 +57,7 @@ void LearningPredictor::learned(NodeId node, bool valid)
     Record& record = records_[kindOf(nearby_.around(node))];
     record.valid += valid ? 1.0 : 0.0;
     record.all += 1.0;
-    if (!valid || lattice_.knowsNeighbours(node))
+    if (!valid || lattice_.maxSteps() <= kFewSteps || lattice_.knowsNeighbours(node))
     {
         nearby_.add(node, valid);
         return;
