@@ -9,7 +9,6 @@
 #include <ompl/base/goals/GoalLazySamples.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
-#include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
@@ -67,26 +66,6 @@ bool isRegion(const ob::Goal& goal)
 {
     return !isStates(goal) || goal.as<ob::GoalRegion>()->getThreshold() > kExact;
 }
-
-/// Everything about a space that the lattice over it depends on.
-void appendSpace(const ob::StateSpace& space, std::vector<double>& out)
-{
-    out.push_back(space.getLongestValidSegmentLength());
-    out.push_back(space.getValidSegmentCountFactor());
-    if (const auto* real = dynamic_cast<const ob::RealVectorStateSpace*>(&space))
-    {
-        const ob::RealVectorBounds& bounds = real->getBounds();
-        out.insert(out.end(), bounds.low.begin(), bounds.low.end());
-        out.insert(out.end(), bounds.high.begin(), bounds.high.end());
-    }
-    out.push_back(space.getMaximumExtent());
-    if (const auto* compound = dynamic_cast<const ob::CompoundStateSpace*>(&space))
-        for (unsigned i = 0; i < compound->getSubspaceCount(); ++i)
-        {
-            out.push_back(compound->getSubspaceWeight(i));
-            appendSpace(*compound->getSubspace(i), out);
-        }
-}
 }  // namespace
 
 void PlannerSession::reset()
@@ -105,8 +84,7 @@ void PlannerSession::resetQuery()
     report = {};
     bound_ = std::numeric_limits<double>::quiet_NaN();
     finished_ = false;
-    bestCost_.reset();
-    bestPath_.reset();
+    best_.reset();
     past_ = {};
     clockInSearch_ = 0.0;
     live.expansions = 0;
@@ -153,16 +131,6 @@ std::unique_ptr<validity::Executor> PlannerSession::makeExecutor(unsigned thread
     if (threads == 1)
         return std::make_unique<validity::InlineExecutor>(first);
     return std::make_unique<validity::ThreadPoolExecutor>(first, threads);
-}
-
-Origins PlannerSession::currentOrigins(const ob::ProblemDefinition& pdef) const
-{
-    ob::OptimizationObjectivePtr objective = pdef.getOptimizationObjective();
-    if (objective && isPathLength(*objective))
-        objective.reset();  // all the same
-    Origins now{si->getStateValidityChecker(), si->getMotionValidator(), objective, {}};
-    appendSpace(*si->getStateSpace(), now.space);
-    return now;
 }
 
 OmplChecker::Sources PlannerSession::makeSources() const
@@ -237,7 +205,7 @@ std::optional<ob::PlannerStatus> PlannerSession::openQuery(ob::PlannerInputState
                                                            const ob::ProblemDefinition& pdef,
                                                            const ob::PlannerTerminationCondition& ptc)
 {
-    const Origins now = currentOrigins(pdef);
+    const Origins now(*si, pdef);
     if (query && (sourcesChanged || !origins.same(now) || asTuple(querySettings) != asTuple(settings)))
     {
         reset();
@@ -277,8 +245,7 @@ std::optional<ob::PlannerStatus> PlannerSession::openQuery(ob::PlannerInputState
         weight_ = query->firstWeight(looksForBetter(pdef));
         patience_ = query->embedding().canCoarsen() ? kUsualPatience : kEndless;
         finished_ = false;
-        bestCost_.reset();
-        bestPath_.reset();
+        best_.reset();
         past_ = {};
         query->beginSearch(weight_);
     }
@@ -364,7 +331,7 @@ bool PlannerSession::looksForBetter(const ob::ProblemDefinition& pdef) const
 /// Begins a search that may find something better than what is known. \return false if there is none.
 bool PlannerSession::beginBetterSearch(const ob::ProblemDefinition& pdef)
 {
-    finished_ = !looksForBetter(pdef) || pdef.getOptimizationObjective()->isSatisfied(*bestCost_);
+    finished_ = !looksForBetter(pdef) || pdef.getOptimizationObjective()->isSatisfied(best_.cost());
     if (finished_)
         return false;
     if (query->embedding().isCoarse())
@@ -439,12 +406,12 @@ ob::PlannerStatus PlannerSession::solve(ob::PlannerInputStates& inputs, const ob
             if (!beginBetterSearch(pdef))
                 break;
         }
-        else if (!bestCost_ && settings.anytime && query->embedding().coarseness() > 1.0 && refine())
+        else if (!best_ && settings.anytime && query->embedding().coarseness() > 1.0 && refine())
         {
             OMPL_INFORM("%s: no goal can be reached on the lattice; going on with half its spacing",
                         planner.getName().c_str());
         }
-        else if (bestCost_)
+        else if (best_)
         {
             finished_ = true;  // other goals cannot be reached
         }
@@ -456,10 +423,10 @@ ob::PlannerStatus PlannerSession::solve(ob::PlannerInputStates& inputs, const ob
             return kInfeasible;
         }
     }
-    if (bestCost_)
+    if (best_)
     {
         report.status = "solved";
-        publishSolution(planner);
+        best_.publish(planner);
         return ob::PlannerStatus::EXACT_SOLUTION;
     }
     report.status = "timeout";
@@ -477,7 +444,7 @@ std::shared_ptr<og::PathGeometric> PlannerSession::pathTo(NodeId node) const
 void PlannerSession::fillReport()
 {
     const CheckStatistics& counts = query->broker().statistics();
-    report.cost = bestCost_ ? bestCost_->value() : std::numeric_limits<double>::quiet_NaN();
+    report.cost = best_ ? best_.cost().value() : std::numeric_limits<double>::quiet_NaN();
     report.weight = weight_;
     report.bound = bound_;
     report.refinements = refinements_;
@@ -509,38 +476,16 @@ void PlannerSession::fillReport()
     report.efficiency = report.speedup / report.threads;
 }
 
-/// Keeps the path just found if it is the best one so far, and tells whoever wants to know at once.
+/// Keeps the path just found if it is the best one so far.
 void PlannerSession::takeSolution(ob::Planner& planner)
 {
-    const ob::ProblemDefinitionPtr& pdef = planner.getProblemDefinition();
     const NodeId goal = query->search().reachedGoal();
     const ob::Cost cost = query->costToCome(goal);
     bound_ = weight_;
-    if (bestCost_ && !query->isBetter(cost, *bestCost_))
+    if (best_ && !query->isBetter(cost, best_.cost()))
         return;
-    bestCost_ = cost;
-    bestPath_ = pathTo(goal);
     live.bestCost.store(cost.value(), std::memory_order_relaxed);
-    if (const auto& callback = pdef->getIntermediateSolutionCallback())
-    {
-        const std::vector<ob::State*>& states = bestPath_->getStates();
-        callback(&planner, std::vector<const ob::State*>(states.begin(), states.end()), cost);
-    }
-    publishSolution(planner);
-}
-
-/// Gives OMPL the best path, unless it has it.
-void PlannerSession::publishSolution(ob::Planner& planner) const
-{
-    const ob::ProblemDefinitionPtr& pdef = planner.getProblemDefinition();
-    for (const ob::PlannerSolution& known : pdef->getSolutions())
-        if (known.path_ == bestPath_)
-            return;
-    ob::PlannerSolution solution(bestPath_);
-    solution.setPlannerName(planner.getName());
-    if (const ob::OptimizationObjectivePtr& objective = pdef->getOptimizationObjective())
-        solution.setOptimized(objective, *bestCost_, objective->isSatisfied(*bestCost_));
-    pdef->addSolutionPath(solution);
+    best_.take(pathTo(goal), cost, planner);
 }
 
 bool PlannerSession::publishApproximation(ob::Planner& planner) const

@@ -15,32 +15,16 @@
 #include <ompl/base/Planner.h>
 #include <ompl/geometric/PathGeometric.h>
 
+#include "specplan/planner/BestPath.h"
 #include "specplan/planner/LatticeQuery.h"
 #include "specplan/planner/OmplChecker.h"
+#include "specplan/planner/Origins.h"
 #include "specplan/planner/SpeculativeAStar.h"
 #include "specplan/planner/TracingChecker.h"
 #include "specplan/validity/Executor.h"
 
 namespace specplan::planner
 {
-/// Which objects a query was built for. Weak, so that a planner keeps no checker alive; the control block stays, so a
-/// new object at the old address is told apart.
-struct Origins
-{
-    std::weak_ptr<const void> checker;
-    std::weak_ptr<const void> motionValidator;
-    std::weak_ptr<const void> objective;
-    std::vector<double> space;  ///< bounds, weights and validity resolution
-
-    [[nodiscard]] bool same(const Origins& other) const
-    {
-        const auto equal = [](const std::weak_ptr<const void>& a, const std::weak_ptr<const void>& b)
-        { return !a.owner_before(b) && !b.owner_before(a); };
-        return equal(checker, other.checker) && equal(motionValidator, other.motionValidator) &&
-               equal(objective, other.objective) && space == other.space;
-    }
-};
-
 /// What the planner keeps between calls. The search thread owns all of it but `live`.
 class PlannerSession
 {
@@ -116,7 +100,6 @@ private:
 
     void ensureExecutor();
     [[nodiscard]] std::unique_ptr<validity::Executor> makeExecutor(unsigned threads);
-    [[nodiscard]] Origins currentOrigins(const ompl::base::ProblemDefinition& pdef) const;
     [[nodiscard]] OmplChecker::Sources makeSources() const;
     bool takeStarts(ompl::base::PlannerInputStates& inputs, const ompl::base::ProblemDefinition& pdef);
     bool takeGoals(ompl::base::PlannerInputStates& inputs, const ompl::base::Goal& goal,
@@ -133,7 +116,6 @@ private:
     void changeSpacing();
     [[nodiscard]] std::shared_ptr<ompl::geometric::PathGeometric> pathTo(lattice::NodeId node) const;
     void takeSolution(ompl::base::Planner& planner);
-    void publishSolution(ompl::base::Planner& planner) const;
     [[nodiscard]] bool publishApproximation(ompl::base::Planner& planner) const;
     [[nodiscard]] std::uint64_t expansions() const;
     [[nodiscard]] std::uint64_t orderHash() const;
@@ -143,8 +125,7 @@ private:
     unsigned refinements_ = 0;
     std::uint64_t patience_ = 0;  ///< checks used after which the spacing is changed for a first path
     bool finished_ = false;       ///< nothing is left to be improved
-    std::optional<ompl::base::Cost> bestCost_;
-    std::shared_ptr<ompl::geometric::PathGeometric> bestPath_;
+    BestPath best_;
     Past past_;
     double clockInSearch_ = 0.0;  ///< seconds on the executor's clock spent in run()
 };

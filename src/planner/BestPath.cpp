@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "specplan/planner/BestPath.h"
+
+#include <utility>
+#include <vector>
+
+#include <ompl/base/OptimizationObjective.h>
+
+namespace specplan::planner
+{
+namespace ob = ompl::base;
+
+void BestPath::reset()
+{
+    cost_.reset();
+    path_.reset();
+}
+
+void BestPath::take(Path path, ob::Cost cost, const ob::Planner& planner)
+{
+    path_ = std::move(path);
+    cost_ = cost;
+    if (const auto& callback = planner.getProblemDefinition()->getIntermediateSolutionCallback())
+    {
+        const std::vector<ob::State*>& states = path_->getStates();
+        callback(&planner, std::vector<const ob::State*>(states.begin(), states.end()), cost);
+    }
+    publish(planner);
+}
+
+void BestPath::publish(const ob::Planner& planner) const
+{
+    const ob::ProblemDefinitionPtr& pdef = planner.getProblemDefinition();
+    for (const ob::PlannerSolution& known : pdef->getSolutions())
+        if (known.path_ == path_)
+            return;
+    ob::PlannerSolution solution(path_);
+    solution.setPlannerName(planner.getName());
+    if (const ob::OptimizationObjectivePtr& objective = pdef->getOptimizationObjective())
+        solution.setOptimized(objective, *cost_, objective->isSatisfied(*cost_));
+    pdef->addSolutionPath(solution);
+}
+}  // namespace specplan::planner
