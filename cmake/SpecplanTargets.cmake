@@ -21,6 +21,19 @@ function(specplan_add_directories)
   endforeach()
 endfunction()
 
+# specplan_embed(TARGET HEADER NAME FILE): the text of FILE as specplan::command::NAME, which HEADER declares, in TARGET; empty if
+# FILE is.
+function(specplan_embed target header name file)
+  set(script "${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake")
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  add_custom_command(OUTPUT "${source}"
+    COMMAND ${CMAKE_COMMAND} -D "INPUT=${file}" -D "HEADER=${header}" -D NAME=${name} -D "OUTPUT=${source}" -P "${script}"
+    DEPENDS ${file} "${script}"
+    VERBATIM
+  )
+  target_sources(${target} PRIVATE "${source}")
+endfunction()
+
 # A sanitizer has to see every object of a program, so its flags hold for all targets from here down.
 set(SPECPLAN_SANITIZE_FLAGS "")
 if(SPECPLAN_SANITIZE STREQUAL "address")

@@ -204,6 +204,11 @@ int run(int argc, char** argv)
         ->needs(predict);
     planApp->add_option("--svg", planOptions.svgFile, "Draw the search")->type_name("FILE");
     planApp
+        ->add_option("--html", planOptions.htmlFile,
+                     "Write a page with a 3-D view of a .cfg problem: world, robot along the path, states of the "
+                     "search; any browser shows it, no network needed")
+        ->type_name("FILE");
+    planApp
         ->add_option(
             "--trace", planOptions.traceFile,
             "Write the search as JSON: map, order of expansions, path; or, where FILE ends in .csv, its checks: what "

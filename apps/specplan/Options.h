@@ -40,6 +40,7 @@ struct PlanOptions : CommonOptions
     bool explain = false;  ///< tell the lattice instead of searching it
     std::string planWith;  ///< another planner instead of ours; empty: none
     std::string svgFile;
+    std::string htmlFile;
     std::string traceFile;
     std::string pathFile;
     std::vector<unsigned> predict;  ///< numbers of workers to predict the time for; empty: none

@@ -23,10 +23,12 @@ bool wantsChecks(const PlanOptions& options)
     return options.traceFile.ends_with(".csv");
 }
 
-void requireOutputs(const PlanOptions& options)
+void requireOutputs(const Problem& problem, const PlanOptions& options)
 {
+    if (!options.htmlFile.empty())
+        problem.requireView();
     for (const std::string& file :
-         {options.svgFile, options.traceFile, options.pathFile, options.csvFile, options.plotFile})
+         {options.svgFile, options.htmlFile, options.traceFile, options.pathFile, options.csvFile, options.plotFile})
         if (!file.empty())
             problems::requireWritable(file);
     if (!options.plotFile.empty())
@@ -44,7 +46,8 @@ Run search(const Problem& problem, const PlanOptions& options, const std::shared
     PlannerSettings settings = options.planner;
     if (!options.predict.empty())
         settings.numThreads = 1;
-    const bool keepOrder = !options.svgFile.empty() || (!options.traceFile.empty() && !wantsChecks(options));
+    const bool keepOrder =
+        !options.svgFile.empty() || !options.htmlFile.empty() || (!options.traceFile.empty() && !wantsChecks(options));
     return planOnce(problem, options, settings, keepOrder, trace);
 }
 
@@ -52,6 +55,8 @@ void writeFiles(const Problem& problem, const PlanOptions& options, const Run& r
 {
     if (!options.svgFile.empty())
         problems::writeFile(options.svgFile, [&](std::ostream& file) { problem.draw(file, run); });
+    if (!options.htmlFile.empty())
+        problems::writeFile(options.htmlFile, [&](std::ostream& file) { problem.writeView(file, run); });
     if (wantsChecks(options))
         problems::writeFile(options.traceFile, [&](std::ostream& file) { writeChecks(file, run); });
     else if (!options.traceFile.empty())
@@ -95,7 +100,7 @@ int plan(const PlanOptions& options, std::ostream& out)
         explain(*problem, options, out);
         return 0;
     }
-    requireOutputs(options);
+    requireOutputs(*problem, options);
     const auto trace = wantsChecks(options) || !options.predict.empty() ? std::make_shared<planner::CheckTrace>()
                                                                         : std::shared_ptr<planner::CheckTrace>();
     const Run run = search(*problem, options, trace);

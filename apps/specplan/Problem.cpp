@@ -5,9 +5,20 @@
 
 #include "GridMapProblem.h"
 #include "RigidBodyProblem.h"
+#include "specplan/problems/InputError.h"
 
 namespace specplan::command
 {
+void Problem::requireView() const
+{
+    throw problems::InputError("--html is for rigid bodies (.cfg); --svg draws maps");
+}
+
+void Problem::writeView(std::ostream&, const Run&) const
+{
+    requireView();
+}
+
 std::unique_ptr<Problem> readProblem(const std::string& file, const ProblemOptions& options)
 {
     if (std::filesystem::path(file).extension() == ".cfg")

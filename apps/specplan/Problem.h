@@ -60,6 +60,12 @@ public:
     /// Draws a search as SVG.
     virtual void draw(std::ostream& out, const Run& run) const = 0;
 
+    /// \throws InputError where there is no 3-D view of such a problem, or specplan was built without what it needs.
+    virtual void requireView() const;
+
+    /// Writes a page with a 3-D view of a search. \throws InputError as requireView() does.
+    virtual void writeView(std::ostream& out, const Run& run) const;
+
     /// Adds to a trace: the problem, the expanded states in order, and the path.
     virtual void describe(nlohmann::ordered_json& trace, const Run& run) const = 0;
 

@@ -4,17 +4,14 @@
 #include <algorithm>
 #include <ostream>
 
-#include <ompl/base/goals/GoalState.h>
-
 #include "Colours.h"
 #include "MeshDrawing.h"
+#include "RigidBodyStates.h"
 #include "Text.h"
 #include "specplan/problems/InputError.h"
-#include "specplan/problems/fcl/RigidBodyChecker.h"
 
 namespace specplan::command
 {
-namespace ob = ompl::base;
 using Eigen::Vector3d;
 using problems::concat;
 using problems::Mesh;
@@ -93,9 +90,9 @@ public:
         : out_(out),
           setup_(setup),
           run_(run),
+          states_(setup, run),
           planar_(setup.problem().planar),
-          space_(spaceOf(setup)),
-          panels_(makePanels(space_, planar_))
+          panels_(makePanels(withMargin(states_.space()), planar_))
     {
     }
 
@@ -117,16 +114,9 @@ public:
     }
 
 private:
-    /// Where the robot may be, and then some for its size; in the plane the height does not matter.
-    static Eigen::AlignedBox3d spaceOf(const problems::RigidBodySetup& setup)
+    /// Where the robot may be, and then some for its size.
+    static Eigen::AlignedBox3d withMargin(Eigen::AlignedBox3d space)
     {
-        const ob::RealVectorBounds& bounds = setup.bounds();
-        Eigen::AlignedBox3d space = boundsOf(setup.world());
-        for (unsigned i = 0; i < bounds.low.size(); ++i)
-        {
-            space.min()[i] = bounds.low[i];
-            space.max()[i] = bounds.high[i];
-        }
         const double margin = 0.02 * space.diagonal().norm();
         space.min().array() -= margin;
         space.max().array() += margin;
@@ -185,12 +175,6 @@ private:
              << "\" stroke-linecap=\"round\" d=\"" << pointsPath(view, points) << "\"/>\n";
     }
 
-    /// Place of a state given as numbers: x, y, yaw, or x, y, z and a quaternion.
-    [[nodiscard]] Vector3d placeOf(const std::vector<double>& state) const
-    {
-        return {state[0], state[1], planar_ ? 0.0 : state[2]};
-    }
-
     void drawStates(const View& view)
     {
         // Evenly thinned out where there are more than a picture can show.
@@ -201,22 +185,13 @@ private:
             const std::size_t n = run_.expanded.size();
             for (std::size_t i = n * shade / kExpandedColours.size(); i < n * (shade + 1) / kExpandedColours.size();
                  i += step)
-                points.push_back(placeOf(run_.expanded[i]));
+                points.push_back(states_.placeOf(run_.expanded[i]));
             drawDots(view, std::move(points), kExpandedColours[shade], 2.5);
         }
-        if (!run_.planner)
-            return;
+        const std::vector<Vector3d> all = states_.checkedAndUnused();
         std::vector<Vector3d> unused;
-        const ob::StateSpace& space = *run_.setup->getStateSpace();
-        run_.planner->visitStates(
-            [&](const ob::State* state, SpeculativeAStar::StateFate fate)
-            {
-                std::vector<double> numbers;
-                if (fate != SpeculativeAStar::StateFate::CheckedUnused || unused.size() >= kMostDots)
-                    return;
-                space.copyToReals(numbers, state);
-                unused.push_back(placeOf(numbers));
-            });
+        for (std::size_t i = 0; i < all.size(); i += all.size() / kMostDots + 1)
+            unused.push_back(all[i]);
         drawDots(view, std::move(unused), kUnusedColour, 2.0);
     }
 
@@ -246,20 +221,15 @@ private:
         path.interpolate(std::max<unsigned>(count, static_cast<unsigned>(path.getStateCount())));
         const std::size_t last = path.getStateCount() - 1;
         for (unsigned i = 1; i + 1 < count; ++i)
-            drawRobot(view, poseOf(path.getState(static_cast<unsigned>(i * last / (count - 1)))), kRobotColour, 0.15);
+            drawRobot(view, states_.poseOf(path.getState(static_cast<unsigned>(i * last / (count - 1)))), kRobotColour,
+                      0.15);
         drawEnds(view);
     }
 
     void drawEnds(const View& view)
     {
-        const auto& definition = *run_.setup->getProblemDefinition();
-        drawRobot(view, poseOf(definition.getStartState(0)), kStartColour, 0.6);
-        drawRobot(view, poseOf(definition.getGoal()->as<ob::GoalState>()->getState()), kPathColour, 0.6);
-    }
-
-    [[nodiscard]] Eigen::Isometry3d poseOf(const ob::State* state) const
-    {
-        return problems::posesOf(*run_.setup->getStateSpace(), state).front();
+        drawRobot(view, states_.start(), kStartColour, 0.6);
+        drawRobot(view, states_.goal(), kPathColour, 0.6);
     }
 
     void drawPath(const View& view)
@@ -269,7 +239,7 @@ private:
         out_ << "<polyline fill=\"none\" stroke=\"" << kPathColour << "\" stroke-width=\"2\" points=\"";
         for (const std::vector<double>& state : run_.path)
         {
-            const Eigen::Vector2d point = view(placeOf(state));
+            const Eigen::Vector2d point = view(states_.placeOf(state));
             out_ << fixed(point.x(), 1) << ',' << fixed(point.y(), 1) << ' ';
         }
         out_ << "\"/>\n";
@@ -305,8 +275,8 @@ private:
     std::ostream& out_;
     const problems::RigidBodySetup& setup_;
     const Run& run_;
+    RigidBodyStates states_;
     bool planar_;
-    Eigen::AlignedBox3d space_;
     std::vector<Panel> panels_;
     std::vector<std::array<Vector3d, 2>> robotEdges_ = featureEdges(setup_.robot());
 };

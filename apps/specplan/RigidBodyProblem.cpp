@@ -6,6 +6,7 @@
 #include <ompl/base/goals/GoalState.h>
 
 #include "RigidBodyPicture.h"
+#include "RigidBodyView.h"
 #include "Run.h"
 #include "specplan/problems/InputError.h"
 #include "specplan/problems/fcl/RigidBodySetup.h"
@@ -41,6 +42,16 @@ public:
     void draw(std::ostream& out, const Run& run) const override
     {
         drawSearch(out, setup_, run);
+    }
+
+    void requireView() const override
+    {
+        requireViewer();
+    }
+
+    void writeView(std::ostream& out, const Run& run) const override
+    {
+        viewSearch(out, setup_, run);
     }
 
     void describe(nlohmann::ordered_json& trace, const Run& run) const override
