@@ -38,6 +38,11 @@ Eigen::AlignedBox3d boundsOf(const octomap::OcTree& /*map*/)
     fail();
 }
 
+std::vector<Eigen::AlignedBox3d> occupiedBoxes(const octomap::OcTree& /*map*/)
+{
+    fail();
+}
+
 Mesh surfaceOf(const octomap::OcTree& /*map*/)
 {
     fail();

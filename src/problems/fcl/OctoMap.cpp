@@ -162,6 +162,19 @@ Eigen::AlignedBox3d boundsOf(const octomap::OcTree& map)
     return {low, high};
 }
 
+std::vector<Eigen::AlignedBox3d> occupiedBoxes(const octomap::OcTree& map)
+{
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (auto leaf = map.begin_leafs(), end = map.end_leafs(); leaf != end; ++leaf)
+        if (map.isNodeOccupied(*leaf))
+        {
+            const Eigen::Vector3d centre(leaf.getX(), leaf.getY(), leaf.getZ());
+            const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * leaf.getSize());
+            boxes.emplace_back(centre - half, centre + half);
+        }
+    return boxes;
+}
+
 Mesh surfaceOf(const octomap::OcTree& map)
 {
     return SurfaceMaker(map).make();
@@ -171,13 +184,8 @@ RigidBody& RigidBody::addOctoMap(const octomap::OcTree& map, const Eigen::Isomet
 {
     const std::shared_ptr<const octomap::OcTree> voxels = settled(map);
     Eigen::AlignedBox3d box;
-    for (auto leaf = voxels->begin_leafs(), end = voxels->end_leafs(); leaf != end; ++leaf)
-        if (voxels->isNodeOccupied(*leaf))
-        {
-            const Eigen::Vector3d centre(leaf.getX(), leaf.getY(), leaf.getZ());
-            box.extend((centre.array() - 0.5 * leaf.getSize()).matrix());
-            box.extend((centre.array() + 0.5 * leaf.getSize()).matrix());
-        }
+    for (const Eigen::AlignedBox3d& voxel : occupiedBoxes(*voxels))
+        box.extend(voxel);
     if (box.isEmpty())
         throw std::invalid_argument("a map without occupied voxels is no rigid body");
     add(std::make_shared<fcl::OcTreed>(voxels), pose);

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "specplan/problems/fcl/Mesh.h"
 
@@ -35,6 +36,9 @@ void writeOctoMap(const std::string& path, const octomap::OcTree& map);
 
 /// OctoMap's metric bounds: smallest box along the axes around all voxels that are known, free or occupied.
 [[nodiscard]] Eigen::AlignedBox3d boundsOf(const octomap::OcTree& map);
+
+/// The occupied voxels, as large as the map has joined them.
+[[nodiscard]] std::vector<Eigen::AlignedBox3d> occupiedBoxes(const octomap::OcTree& map);
 
 /// Where occupied voxels meet free or unknown space, as few rectangles of two triangles each that face outward.
 [[nodiscard]] Mesh surfaceOf(const octomap::OcTree& map);
