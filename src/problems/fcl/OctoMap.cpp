@@ -2,6 +2,7 @@
 #include "specplan/problems/fcl/OctoMap.h"
 
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <stdexcept>
 #include <tuple>
@@ -62,38 +63,71 @@ private:
         int to;
     };
 
+    using Keys = std::array<int, 3>;
+
     void addSides(const octomap::OcTreeKey& low, int size)
     {
         for (unsigned axis = 0; axis < 3; ++axis)
             for (const bool up : {false, true})
             {
-                const unsigned right = (axis + 1) % 3;
-                const unsigned forth = (axis + 2) % 3;
-                const int layer = low[axis] + (up ? size : 0);
-                std::array<int, 3> beyond{};
-                beyond[axis] = up ? layer : layer - 1;
-                for (int i = 0; i < size; ++i)
-                    for (int j = 0; j < size; ++j)
-                    {
-                        beyond[right] = low[right] + i;
-                        beyond[forth] = low[forth] + j;
-                        if (!isOccupied(beyond))
-                            planes_[{axis, layer, up}].emplace_back(beyond[right], beyond[forth]);
-                    }
+                Keys beyond{low[0], low[1], low[2]};
+                beyond[axis] += up ? size : -1;
+                addSide({axis, beyond[axis] + (up ? 0 : 1), up}, beyond, size);
             }
     }
 
-    [[nodiscard]] bool isOccupied(const std::array<int, 3>& keys) const
+    /// \param beyond the voxel of lowest keys on the other side. \param size voxels along each edge, a power of two.
+    void addSide(const Plane& plane, Keys beyond, int size)
+    {
+        constexpr int kJoined = 64;  // larger ones are rectangles of their own; a side may have 2^30 cells
+        const unsigned axis = std::get<0>(plane);
+        int& row = beyond[(axis + 1) % 3];
+        int& place = beyond[(axis + 2) % 3];
+        const auto [isUniform, isOpen] = look(beyond, size);
+        if (isUniform && !isOpen)
+            return;
+        if (isUniform && size > kJoined)
+            addRectangle(plane, {place, place + size, row, row + size});
+        else if (isUniform)
+            for (int i = 0; i < size; ++i)
+                for (int j = 0; j < size; ++j)
+                    planes_[plane].emplace_back(row + i, place + j);
+        else
+        {
+            const int half = size / 2;
+            const Keys low = beyond;
+            for (const int i : {0, half})
+                for (const int j : {0, half})
+                {
+                    beyond = low;
+                    row += i;
+                    place += j;
+                    addSide(plane, beyond, half);
+                }
+        }
+    }
+
+    struct Look
+    {
+        bool isUniform;  ///< nothing is known in more detail
+        bool isOpen;     ///< free or unknown
+    };
+
+    /// What is in the cube of such a size around a voxel.
+    [[nodiscard]] Look look(const Keys& keys, int size) const
     {
         octomap::OcTreeKey key;
         for (unsigned i = 0; i < 3; ++i)
         {
             if (keys[i] < 0 || keys[i] >= 1 << map_.getTreeDepth())
-                return false;
+                return {true, true};
             key[i] = static_cast<octomap::key_type>(keys[i]);
         }
-        const octomap::OcTreeNode* node = map_.search(key);
-        return node != nullptr && map_.isNodeOccupied(node);
+        const auto depth = map_.getTreeDepth() - static_cast<unsigned>(std::countr_zero(static_cast<unsigned>(size)));
+        const octomap::OcTreeNode* node = map_.search(key, depth);
+        if (node == nullptr)
+            return {true, true};
+        return {!map_.nodeHasChildren(node), !map_.isNodeOccupied(node)};
     }
 
     /// Cells in a row are joined, then rows of the same extent that follow each other.

@@ -228,6 +228,19 @@ TEST(OctoMap, HasASurfaceOfRectangles)
     EXPECT_NEAR(volume, 1.0 + 0.125, 1e-9) << "closed and facing outward";
 }
 
+/// Two voxels that fill an eighth of all keys each: 32768 voxels of the finest along each edge.
+TEST(OctoMap, HasASurfaceWhereVoxelsAreHuge)
+{
+    const test::TemporaryFolder folder;
+    const auto map = readOctoMap(folder.write(
+        "huge.bt", "# Octomap OcTree binary file\nid OcTree\nsize 3\nres 0.5\ndata\n" + std::string("\x0A\0", 2)));
+    EXPECT_EQ(occupiedBoxes(*map).size(), 2U);
+    EXPECT_EQ(surfaceOf(*map).triangles.size(), 20U) << "all sides but the two that meet";
+    const RigidBodyScene scene({RigidBody().addSphere(1.0)}, RigidBody().addOctoMap(*map));
+    EXPECT_TRUE(scene.collides(std::array{at(-100.0, -100.0, -100.0)}));
+    EXPECT_NEAR(scene.distance(std::array{at(-100.0, -100.0, 4.0)}), 3.0, 1e-3);
+}
+
 TEST(OctoMap, ReadsWhatItWrites)
 {
     const test::TemporaryFolder folder;
