@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a check of a rigid body costs, for the problems named on the command line: the world as one tree of bounding
-// volumes, as the project has it, and as a broad phase over its connected parts; and how much two threads gain.
+// What a check of a rigid body costs, for the problems named on the command line: the world as the project has it, one
+// tree of bounding volumes or of voxels; as a broad phase over its connected parts or its voxels; of voxels also the
+// surface as one tree, which is hollow; and how much two threads gain.
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -13,8 +14,10 @@
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/box.h>
 #include <fcl/narrowphase/collision.h>
 
+#include "specplan/problems/fcl/OctoMap.h"
 #include "specplan/problems/fcl/RigidBodyChecker.h"
 #include "specplan/problems/fcl/RigidBodySetup.h"
 
@@ -27,14 +30,24 @@ using Check = std::function<bool(const Eigen::Isometry3d&)>;
 constexpr std::size_t kStates = 20000;
 constexpr int kRepetitions = 3;  // of each check; the shortest counts, so that other programs disturb less
 
-/// The world's parts in FCL's broad phase.
+bool isVoxels(const RigidBodySetup& setup)
+{
+    return isOctoMapFile(setup.problem().world.path);
+}
+
+/// The world's parts, or its voxels, in FCL's broad phase.
 class BroadPhase
 {
 public:
     explicit BroadPhase(const RigidBodySetup& setup) : robot_(model(setup.robot()))
     {
-        for (const Mesh& part : connectedParts(setup.world()))
-            objects_.push_back(std::make_unique<fcl::CollisionObjectd>(model(part)));
+        if (isVoxels(setup))
+            for (const Eigen::AlignedBox3d& box : occupiedBoxes(*readOctoMap(setup.problem().world.path)))
+                objects_.push_back(std::make_unique<fcl::CollisionObjectd>(std::make_shared<fcl::Boxd>(box.sizes()),
+                                                                           Eigen::Matrix3d::Identity(), box.center()));
+        else
+            for (const Mesh& part : connectedParts(setup.world()))
+                objects_.push_back(std::make_unique<fcl::CollisionObjectd>(model(part)));
         for (const auto& object : objects_)
             manager_.registerObject(object.get());
         manager_.setup();
@@ -138,9 +151,17 @@ void measure(const std::string& file)
     const std::string name = setup.problem().name + ", " + std::to_string(setup.robot().triangles.size()) + " in " +
                              std::to_string(setup.world().triangles.size());
     const Check oneTree = [&setup](const Eigen::Isometry3d& pose) { return setup.scene()->collides({&pose, 1}); };
-    printRow(name, "one tree", poses, oneTree);
-    printRow(name, "broad phase, " + std::to_string(broadPhase.parts()) + " parts", poses,
-             [&broadPhase](const Eigen::Isometry3d& pose) { return broadPhase.collides(pose); });
+    printRow(name, isVoxels(setup) ? "octree" : "one tree", poses, oneTree);
+    printRow(name, "broad phase, " + std::to_string(broadPhase.parts()) + (isVoxels(setup) ? " voxels" : " parts"),
+             poses, [&broadPhase](const Eigen::Isometry3d& pose) { return broadPhase.collides(pose); });
+    if (isVoxels(setup))
+    {
+        const RigidBodyScene surface({RigidBody().addMesh(setup.robot())}, RigidBody().addMesh(setup.world()));
+        printRow(name, "surface, one tree", poses,
+                 [&surface](const Eigen::Isometry3d& pose) {
+                     return surface.collides({&pose, 1});
+                 });
+    }
     for (const Eigen::Isometry3d& pose : poses)
         if (oneTree(pose) != broadPhase.collides(pose))
             throw std::logic_error(file + ": the two worlds differ");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RigidScenes.h"
 
-#include <array>
 #include <iomanip>
 #include <numbers>
 #include <ostream>
+#include <utility>
 
 #include "specplan/problems/InputError.h"
 #include "specplan/problems/TextFile.h"
@@ -16,28 +16,29 @@ using problems::addBox;
 using problems::concat;
 using problems::Mesh;
 
-namespace
-{
-constexpr double kWall = 0.1;  // half the thickness of a wall
-
-/// How OMPL.app writes down a problem.
-std::string config(const std::string& name, const std::string& what, const std::string& start, const std::string& goal,
-                   const std::array<double, 3>& low, const std::array<double, 3>& high, bool planar)
+std::string configText(const std::string& name, const std::string& world, const std::string& what,
+                       const std::string& start, const std::string& goal,
+                       const std::vector<std::array<double, 2>>& volume)
 {
     std::string text = concat("# ", what, "\n[problem]\nname = ", name, "\nrobot = ", name,
-                              "-robot.obj\nworld = ", name, "-world.obj\n", start, goal);
-    for (std::size_t i = 0; i < (planar ? 2U : 3U); ++i)
-        text += concat("volume.min.", "xyz"[i], " = ", low[i], "\nvolume.max.", "xyz"[i], " = ", high[i], '\n');
+                              "-robot.obj\nworld = ", world, '\n', start, goal);
+    for (std::size_t i = 0; i < volume.size(); ++i)
+        text +=
+            concat("volume.min.", "xyz"[i], " = ", volume[i][0], "\nvolume.max.", "xyz"[i], " = ", volume[i][1], '\n');
     return text +
            "\n[benchmark]\ntime_limit = 10\nmem_limit = 2000\nrun_count = 10\n\n"
            "[planner]\nSpeculativeAStar =\nRRTConnect =\nBITstar =\n";
 }
 
-std::string planarPose(const std::string& which, double x, double y, double theta)
+std::string planarPoseText(const std::string& which, double x, double y, double theta)
 {
     return concat(std::setprecision(12), which, ".x = ", x, '\n', which, ".y = ", y, '\n', which, ".theta = ", theta,
                   '\n');
 }
+
+namespace
+{
+constexpr double kWall = 0.1;  // half the thickness of a wall
 
 /// Turned about the vertical.
 std::string spatialPose(const std::string& which, double x, double y, double z, double theta)
@@ -101,9 +102,10 @@ RigidScene makeOffice()
     addBox(robot, {-1.2, -0.25, 0.6}, {1.2, 0.25, 0.8});
     addBox(robot, {-0.4, -0.25, 0.1}, {0.4, 0.25, 0.6});
     return {"office",
-            config("office", "A ladder on a trolley, from one office to another across a corridor (metres).",
-                   planarPose("start", 2.4, 2.6, 0.0), planarPose("goal", 16.0, 11.6, 0.0), {0.2, 0.2, 0.0},
-                   {19.8, 12.8, 0.0}, true),
+            configText("office", "office-world.obj",
+                       "A ladder on a trolley, from one office to another across a corridor (metres).",
+                       planarPoseText("start", 2.4, 2.6, 0.0), planarPoseText("goal", 16.0, 11.6, 0.0),
+                       {{0.2, 19.8}, {0.2, 12.8}}),
             robot, world};
 }
 
@@ -135,9 +137,9 @@ RigidScene makePiano()
     addBox(robot, {0.53, -0.3, 0.0}, {0.65, -0.18, 0.3});
     addBox(robot, {-0.36, 0.9, 0.0}, {-0.24, 1.02, 0.3});
     return {"piano",
-            config("piano", "A grand piano through an opening and past a table (metres).",
-                   spatialPose("start", 1.4, 3.4, 0.5, 0.0), spatialPose("goal", 8.0, 1.2, 0.5, 0.0), {0.1, 0.1, 0.1},
-                   {8.9, 4.9, 2.9}, false),
+            configText("piano", "piano-world.obj", "A grand piano through an opening and past a table (metres).",
+                       spatialPose("start", 1.4, 3.4, 0.5, 0.0), spatialPose("goal", 8.0, 1.2, 0.5, 0.0),
+                       {{0.1, 8.9}, {0.1, 4.9}, {0.1, 2.9}}),
             robot, world};
 }
 
@@ -153,24 +155,31 @@ RigidScene makePassage()
     addBox(world, {-kPlate, -kHole, kHole}, {kPlate, kHole, kReach});
     Mesh robot;
     addBox(robot, {-0.5, -0.1, -0.1}, {0.5, 0.1, 0.1});
-    return {"passage",
-            config("passage",
+    return {
+        "passage",
+        configText("passage", "passage-world.obj",
                    "A bar through a hole: turn it, then push it through. The shortest way costs 3 + pi / 4 (metres).",
                    spatialPose("start", -1.5, 0.0, 0.0, std::numbers::pi / 2.0),
-                   spatialPose("goal", 1.5, 0.0, 0.0, 0.0), {-2.0, -1.0, -1.0}, {2.0, 1.0, 1.0}, false),
-            robot, world};
+                   spatialPose("goal", 1.5, 0.0, 0.0, 0.0), {{-2.0, 2.0}, {-1.0, 1.0}, {-1.0, 1.0}}),
+        robot, world};
 }
 
 std::vector<RigidScene> makeAllRigidScenes()
 {
-    return {makeOffice(), makePiano(), makePassage()};
+    std::vector<RigidScene> scenes{makeOffice(), makePiano(), makePassage()};
+    for (RigidScene& scene : makeVoxelScenes())
+        scenes.push_back(std::move(scene));
+    return scenes;
 }
 
 void writeRigidScene(const std::string& folder, const RigidScene& scene)
 {
     const std::string path = folder + '/' + scene.name;
     problems::writeObj(path + "-robot.obj", scene.robot);
-    problems::writeObj(path + "-world.obj", scene.world);
+    if (scene.map)
+        problems::writeOctoMap(path + "-world.bt", *scene.map);
+    else
+        problems::writeObj(path + "-world.obj", scene.world);
     problems::writeFile(path + ".cfg", [&scene](std::ostream& out) { out << scene.config; });
 }
 }  // namespace specplan::make_meshes

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the rigid-body scenes of demos/scenes: OMPL.app's problem files with meshes in OBJ format.
+// Writes the rigid-body scenes of demos/scenes: OMPL.app's problem files with meshes in OBJ format and maps of voxels
+// in OctoMap's.
 #include <exception>
 #include <filesystem>
 #include <iostream>

@@ -111,8 +111,8 @@ public:
         refuseControls();
         if (const auto name = entries_.take("problem.name"))
             problem_.name = name->value;
-        problem_.robot = meshFile("robot");
-        problem_.world = meshFile("world");
+        problem_.robot = bodyFile("robot", "a mesh file");
+        problem_.world = bodyFile("world", "a mesh file or OctoMap");
         problem_.planar = isPlanar();
         problem_.start = pose("start");
         problem_.goal = pose("goal");
@@ -146,14 +146,14 @@ private:
                                     "') are not supported; expected a rigid body that moves freely"));
     }
 
-    NamedFile meshFile(const std::string& what)
+    NamedFile bodyFile(const std::string& what, const std::string& kind)
     {
-        const ConfigEntry entry = entries_.require("problem." + what, "a mesh file");
+        const ConfigEntry entry = entries_.require("problem." + what, kind);
         if (entry.value.empty())
-            entries_.fail(entry, "a mesh file");
+            entries_.fail(entry, kind);
         const std::filesystem::path path = std::filesystem::path(problem_.file).parent_path() / entry.value;
         if (!std::filesystem::exists(path))
-            entries_.fail(entry, "a mesh file relative to the folder of this file");
+            entries_.fail(entry, kind + " relative to the folder of this file");
         return {path.string(), entry.line};
     }
 

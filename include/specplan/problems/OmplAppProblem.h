@@ -77,7 +77,7 @@ struct OmplAppProblem
     std::vector<std::string> warnings;  ///< one line each: what the file says and nobody heeds
 };
 
-/// Reads such a file. Mesh files are looked for beside it. \throws InputError naming file, line and what was expected;
-/// problems with controls are refused.
+/// Reads such a file. Mesh files and maps are looked for beside it. \throws InputError naming file, line and what was
+/// expected; problems with controls are refused.
 [[nodiscard]] OmplAppProblem readOmplAppProblem(const std::string& path);
 }  // namespace specplan::problems

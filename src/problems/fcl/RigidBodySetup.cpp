@@ -12,6 +12,7 @@
 
 #include "specplan/problems/InputError.h"
 #include "specplan/problems/fcl/MeshFile.h"
+#include "specplan/problems/fcl/OctoMap.h"
 #include "specplan/problems/fcl/RigidBodyChecker.h"
 
 namespace specplan::problems
@@ -93,40 +94,48 @@ std::string sizeText(const Eigen::AlignedBox3d& box)
 }  // namespace
 
 RigidBodySetup::RigidBodySetup(OmplAppProblem problem)
-    : problem_(std::move(problem)),
-      robot_(readMesh(problem_.robot.path)),
-      world_(readMesh(problem_.world.path)),
-      bounds_(problem_.planar ? 2 : 3)
+    : problem_(std::move(problem)), robot_(readMesh(problem_.robot.path)), bounds_(problem_.planar ? 2 : 3)
 {
     Eigen::Vector3d centre = centreOf(robot_);
     if (problem_.planar)
         centre.z() = 0.0;
     robot_ = moved(std::move(robot_), -centre);
-    scene_ =
-        std::make_shared<const RigidBodyScene>(std::vector{RigidBody().addMesh(robot_)}, RigidBody().addMesh(world_));
+    scene_ = std::make_shared<const RigidBodyScene>(std::vector{RigidBody().addMesh(robot_)}, readWorld());
     requireFitting();
     findBounds();
     requireFree(problem_.start, "start");
     requireFree(problem_.goal, "goal");
 }
 
+RigidBody RigidBodySetup::readWorld()
+{
+    if (isOctoMapFile(problem_.world.path))
+    {
+        const auto map = readOctoMap(problem_.world.path);
+        world_ = surfaceOf(*map);
+        worldBounds_ = boundsOf(*map);
+        return RigidBody().addOctoMap(*map);
+    }
+    world_ = readMesh(problem_.world.path);
+    worldBounds_ = boundsOf(world_);
+    return RigidBody().addMesh(world_);
+}
+
 void RigidBodySetup::requireFitting() const
 {
     const Eigen::AlignedBox3d robot = boundsOf(robot_);
-    const Eigen::AlignedBox3d world = boundsOf(world_);
-    if (robot.diagonal().norm() > world.diagonal().norm())
+    if (robot.diagonal().norm() > worldBounds_.diagonal().norm())
         throw InputError(problem_.file, problem_.robot.line,
                          concat("expected a robot smaller than the world, found ", sizeText(robot), " in ",
-                                sizeText(world), "; are both in the same unit?"));
+                                sizeText(worldBounds_), "; are both in the same unit?"));
 }
 
 void RigidBodySetup::findBounds()
 {
-    const Eigen::AlignedBox3d world = boundsOf(world_);
     for (unsigned i = 0; i < bounds_.low.size(); ++i)
     {
-        bounds_.low[i] = problem_.volume ? problem_.volume->low[i] : world.min()[i];
-        bounds_.high[i] = problem_.volume ? problem_.volume->high[i] : world.max()[i];
+        bounds_.low[i] = problem_.volume ? problem_.volume->low[i] : worldBounds_.min()[i];
+        bounds_.high[i] = problem_.volume ? problem_.volume->high[i] : worldBounds_.max()[i];
         for (const RigidPose* pose : {&problem_.start, &problem_.goal})
         {
             const double place = pose->position[i];

@@ -15,10 +15,11 @@
 
 namespace specplan::problems
 {
-/// A rigid-body problem with its meshes, ready to be set up for OMPL any number of times.
+/// A rigid-body problem with its meshes or its map of voxels, ready to be set up for OMPL any number of times.
 ///
 /// As in OMPL.app the robot's mesh is moved so that the mean of its vertices is the origin (in the plane only along x
 /// and y), bounds that the file does not give are those of the world, and bounds are enlarged to hold start and goal.
+/// A world whose file's name ends in ".bt" or ".ot" is a map of OctoMap; its bounds are those of all known voxels.
 class RigidBodySetup
 {
 public:
@@ -41,6 +42,7 @@ public:
         return robot_;
     }
 
+    /// The world; of a map of voxels, the surface of those that are occupied.
     [[nodiscard]] const Mesh& world() const noexcept
     {
         return world_;
@@ -64,6 +66,7 @@ public:
     }
 
 private:
+    [[nodiscard]] RigidBody readWorld();
     void findBounds();
     void requireFitting() const;
     void requireFree(const RigidPose& pose, const char* what) const;
@@ -72,6 +75,7 @@ private:
     OmplAppProblem problem_;
     Mesh robot_;
     Mesh world_;
+    Eigen::AlignedBox3d worldBounds_;
     std::shared_ptr<const RigidBodyScene> scene_;
     ompl::base::RealVectorBounds bounds_;
 };
