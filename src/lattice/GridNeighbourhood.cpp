@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
-#include <ranges>
 #include <stdexcept>
 #include <string>
 
@@ -83,11 +82,16 @@ std::span<const Coordinate> GridNeighbourhood::offsetOf(std::uint32_t step) cons
 /// The step with this offset. They are in lexicographic order.
 std::uint32_t GridNeighbourhood::stepBy(std::span<const Coordinate> offset) const
 {
-    const auto steps = std::views::iota(0U, maxSteps());
-    const auto place = std::ranges::partition_point(
-        steps, [&](std::uint32_t step) { return std::ranges::lexicographical_compare(offsetOf(step), offset); });
-    assert(place != steps.end() && std::ranges::equal(offsetOf(*place), offset));
-    return *place;
+    std::uint32_t first = 0;
+    for (std::uint32_t count = maxSteps(); count > 0;)
+    {
+        const std::uint32_t half = count / 2;
+        const bool isBehind = std::ranges::lexicographical_compare(offsetOf(first + half), offset);
+        first += isBehind ? half + 1 : 0;
+        count = isBehind ? count - half - 1 : half;
+    }
+    assert(first < maxSteps() && std::ranges::equal(offsetOf(first), offset));
+    return first;
 }
 
 void GridNeighbourhood::steps(const Coordinate* from, Steps& out) const

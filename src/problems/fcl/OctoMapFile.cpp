@@ -43,7 +43,7 @@ public:
     /// \throws InputError if OctoMap could not read it.
     Header run()
     {
-        const Header header = readHeader();
+        Header header = readHeader();
         if (header.id != "OcTree")
             fail("expected a map of class OcTree, found '", header.id, '\'');
         if (!(header.resolution > 0.0))
