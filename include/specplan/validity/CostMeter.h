@@ -48,8 +48,8 @@ public:
 private:
     /// Handing a check to another thread and taking it back costs the search 1 to 3 µs, and more where threads share
     /// cores.
-    static constexpr double kCheap = 6e-6;
-    static constexpr double kDear = 9e-6;
+    static constexpr double kCheap = 4e-6;
+    static constexpr double kDear = 6e-6;
     static constexpr std::size_t kWindow = 24;
 
     std::array<double, kWindow> last_{};
