@@ -53,7 +53,7 @@ def busy(timer, cores):
 
 
 def cheap(timer):
-    table("Time as a multiple of sequential A*, checks too cheap to hand out", ["check", "2 threads", "8 threads"])
+    table("Time as a multiple of sequential A*, cheap checks", ["check", "2 threads", "8 threads"])
     for duration in ("0ns", "50ns", "200ns", "1us", "5us"):
         check = [] if duration == "0ns" else ["--check-busy", duration]
         cells = [f"{1.0 / timer.ratio(check, n, 'runahead', 2 * timer.repetitions + 1):.3f}" for n in (2, 8)]
