@@ -86,6 +86,17 @@ protected:
         EXPECT_TRUE(broker.demand(std::vector<CheckId>(checks)));
     }
 
+    /// Checks take 20 µs, and the source thinks for so long about each that nobody will ask for.
+    void thinkInVain(double seconds)
+    {
+        broker.setWarmUp(0.0);
+        ofMotion = 20e-6;
+        source.thought = seconds;
+        source.next = 1000000;
+        source.last = 2000000;
+        broker.setSource(&source);
+    }
+
     double ofState = 1e-3;
     double ofMotion = 1e-3;
     double work = 0.0;  ///< seconds that the search has worked
@@ -139,12 +150,7 @@ TEST_F(BrokerOnPool, WhatIsCheaperThanHandingOverRunsAheadHere)
 
 TEST_F(BrokerOnPool, ASourceThatThinksForTooLongRestsLongerEachTime)
 {
-    broker.setWarmUp(0.0);
-    ofMotion = 20e-6;
-    source.thought = 30e-6;
-    source.next = 1000000;
-    source.last = 2000000;
-    broker.setSource(&source);
+    thinkInVain(30e-6);
     std::vector<double> rests;
     for (std::uint32_t motion = 0; motion < 200000; motion += 2)
     {
@@ -161,14 +167,9 @@ TEST_F(BrokerOnPool, ASourceThatThinksForTooLongRestsLongerEachTime)
 
 TEST_F(BrokerOnPool, WhatIsAtHandComesBeforeThinkingAndAlsoDuringRests)
 {
-    broker.setWarmUp(0.0);
-    ofMotion = 20e-6;
-    source.thought = 1e-3;
-    source.next = 1000000;
-    source.last = 2000000;
+    thinkInVain(1e-3);
     source.nextAtHand = 5;
     source.lastAtHand = 30000;
-    broker.setSource(&source);
     for (std::uint32_t motion = 0; motion < 20000; ++motion)
         demand({motionCheck(motion)});
     EXPECT_EQ(source.next, 1000000U) << "no need to think";

@@ -5,10 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 #include <sstream>
-#include <thread>
 
 #include <octomap/ColorOcTree.h>
 #include <octomap/octomap.h>
@@ -16,6 +14,7 @@
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
 
+#include "EightThreads.h"
 #include "RigidFixture.h"
 #include "specplan/problems/InputError.h"
 #include "specplan/problems/fcl/RigidBodyChecker.h"
@@ -353,7 +352,6 @@ TEST(OctoMap, NothingOccupiedIsNoBody)
 /// the surface.
 TEST(OctoMapThreads, EightThreadsGetTheAnswersOfOne)
 {
-    constexpr std::size_t kStates = 240;
     auto space = std::make_shared<ob::SE3StateSpace>();
     ob::RealVectorBounds bounds(3);
     bounds.setLow(-1.3);
@@ -366,40 +364,7 @@ TEST(OctoMapThreads, EightThreadsGetTheAnswersOfOne)
         return std::make_shared<const RigidBodyScene>(std::vector{RigidBody().addMesh(trolleyMesh())},
                                                       RigidBody().addOctoMap(map));
     };
-    const RigidBodyChecker serial(si, scene());
-    const RigidBodyChecker shared(si, scene());
-    const auto sampler = si->allocStateSampler();
-    std::vector<ob::State*> states(kStates);
-    std::vector<char> valid;
-    std::vector<double> clearance;
-    for (ob::State*& state : states)
-    {
-        state = si->allocState();
-        sampler->sampleUniform(state);
-        valid.push_back(serial.isValid(state) ? 1 : 0);
-        clearance.push_back(serial.clearance(state));
-    }
-    EXPECT_GT(std::ranges::count(valid, 1), 40);
-    EXPECT_GT(std::ranges::count(valid, 0), 40);
-    std::atomic<int> wrong = 0;
-    {
-        std::vector<std::jthread> threads;
-        for (std::size_t thread = 0; thread < 8; ++thread)
-            threads.emplace_back(
-                [&, thread]
-                {
-                    for (std::size_t i = 0; i < kStates; ++i)
-                    {
-                        const std::size_t at = (i + thread * kStates / 8) % kStates;
-                        if (shared.clearance(states[at]) != clearance[at] ||
-                            shared.isValid(states[at]) != (valid[at] != 0))
-                            ++wrong;
-                    }
-                });
-    }
-    EXPECT_EQ(wrong, 0);
-    for (ob::State* state : states)
-        si->freeState(state);
+    test::expectOneThreadsAnswers(si, RigidBodyChecker(si, scene()), RigidBodyChecker(si, scene()), 240, 40);
 }
 
 /// The room of the other tests as voxels of 0.2.

@@ -3,9 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <numbers>
-#include <thread>
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
@@ -13,6 +11,7 @@
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/base/spaces/SE3StateSpace.h>
 
+#include "EightThreads.h"
 #include "RigidFixture.h"
 
 namespace specplan::problems
@@ -119,39 +118,9 @@ TEST(RigidBodyChecker, RefusesSpacesThatDoNotFit)
 /// Eight threads ask one checker the same questions in different orders; the thread sanitizer watches.
 TEST(RigidBodyCheckerThreads, EightThreadsGetTheAnswersOfOne)
 {
-    constexpr std::size_t kStates = 400;
     const auto si = std::make_shared<ob::SpaceInformation>(makeSpace<ob::SE3StateSpace>(3));
     const RigidBodyChecker checker(si, roomScene(1));
-    const auto sampler = si->allocStateSampler();
-    std::vector<ob::State*> states(kStates);
-    std::vector<char> valid;
-    std::vector<double> clearance;
-    for (ob::State*& state : states)
-    {
-        state = si->allocState();
-        sampler->sampleUniform(state);
-        valid.push_back(checker.isValid(state) ? 1 : 0);
-        clearance.push_back(checker.clearance(state));
-    }
-    std::atomic<int> wrong = 0;
-    {
-        std::vector<std::jthread> threads;
-        for (std::size_t thread = 0; thread < 8; ++thread)
-            threads.emplace_back(
-                [&, thread]
-                {
-                    for (std::size_t i = 0; i < kStates; ++i)
-                    {
-                        const std::size_t at = (i + thread * kStates / 8) % kStates;
-                        if (checker.isValid(states[at]) != (valid[at] != 0) ||
-                            checker.clearance(states[at]) != clearance[at])
-                            ++wrong;
-                    }
-                });
-    }
-    EXPECT_EQ(wrong, 0);
-    for (ob::State* state : states)
-        si->freeState(state);
+    test::expectOneThreadsAnswers(si, checker, checker, 400, 1);
 }
 }  // namespace
 }  // namespace specplan::problems

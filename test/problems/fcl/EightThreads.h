@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+#include "specplan/problems/fcl/RigidBodyChecker.h"
+
+namespace specplan::test
+{
+/// Eight threads ask one checker the same questions in different orders and expect the answers that another one gave to
+/// one thread. Distances come first. \param fewest that have to be valid, and that have to be invalid.
+inline void expectOneThreadsAnswers(const ompl::base::SpaceInformationPtr& si, const problems::RigidBodyChecker& serial,
+                                    const problems::RigidBodyChecker& shared, std::size_t count, int fewest)
+{
+    const auto sampler = si->allocStateSampler();
+    std::vector<ompl::base::State*> states(count);
+    std::vector<char> valid;
+    std::vector<double> clearance;
+    for (ompl::base::State*& state : states)
+    {
+        state = si->allocState();
+        sampler->sampleUniform(state);
+        valid.push_back(serial.isValid(state) ? 1 : 0);
+        clearance.push_back(serial.clearance(state));
+    }
+    EXPECT_GE(std::ranges::count(valid, 1), fewest);
+    EXPECT_GE(std::ranges::count(valid, 0), fewest);
+    std::atomic<int> wrong = 0;
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t thread = 0; thread < 8; ++thread)
+            threads.emplace_back(
+                [&, thread]
+                {
+                    for (std::size_t i = 0; i < count; ++i)
+                    {
+                        const std::size_t at = (i + thread * count / 8) % count;
+                        if (shared.clearance(states[at]) != clearance[at] ||
+                            shared.isValid(states[at]) != (valid[at] != 0))
+                            ++wrong;
+                    }
+                });
+    }
+    EXPECT_EQ(wrong, 0);
+    for (ompl::base::State* state : states)
+        si->freeState(state);
+}
+}  // namespace specplan::test
