@@ -12,13 +12,9 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
+#include "specplan/planner/MakeExecutor.h"
 #include "specplan/planner/OmplCompat.h"
 #include "specplan/util/Hash.h"
-#include "specplan/validity/InlineExecutor.h"
-#include "specplan/validity/RunningClock.h"
-#include "specplan/validity/SimulatedPool.h"
-#include "specplan/validity/ThreadPoolExecutor.h"
-#include "specplan/validity/VirtualExecutor.h"
 
 namespace specplan::planner
 {
@@ -106,31 +102,10 @@ void PlannerSession::ensureExecutor()
     checker = std::make_unique<OmplChecker>(*si, threads);
     if (trace)
         tracer = std::make_unique<TracingChecker>(*checker, threads, trace, settings.executor == "virtual");
-    executor = makeExecutor(threads);
+    executor = makeExecutor(settings, threads, *checker, tracer.get());
     executorSettings = settings;
     executorSettings.numThreads = threads;
     executorTrace = trace;
-}
-
-std::unique_ptr<validity::Executor> PlannerSession::makeExecutor(unsigned threads)
-{
-    validity::Checker& first = tracer ? static_cast<validity::Checker&>(*tracer) : *checker;
-    if (settings.executor == "virtual" && tracer)
-    {
-        validity::SimulatedPool::Timing timing;
-        timing.ofCheck = [this](CheckId, bool) { return tracer->lastSeconds(); };
-        const auto clock = std::make_shared<validity::RunningClock>();
-        timing.ofSearch = [clock] { return clock->seconds(); };
-        timing.afterCheck = trace->afterCheck();
-        return std::make_unique<validity::SimulatedPool>(first, threads, std::move(timing));
-    }
-    if (settings.executor == "virtual")
-        return std::make_unique<validity::VirtualExecutor>(first, threads,
-                                                           [this, cost = settings.virtualCheckCost](CheckId, bool)
-                                                           { return cost * checker->statesOfLastCheck(0); });
-    if (threads == 1)
-        return std::make_unique<validity::InlineExecutor>(first);
-    return std::make_unique<validity::ThreadPoolExecutor>(first, threads);
 }
 
 OmplChecker::Sources PlannerSession::makeSources() const

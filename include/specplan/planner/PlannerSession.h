@@ -99,7 +99,6 @@ private:
     };
 
     void ensureExecutor();
-    [[nodiscard]] std::unique_ptr<validity::Executor> makeExecutor(unsigned threads);
     [[nodiscard]] OmplChecker::Sources makeSources() const;
     bool takeStarts(ompl::base::PlannerInputStates& inputs, const ompl::base::ProblemDefinition& pdef);
     bool takeGoals(ompl::base::PlannerInputStates& inputs, const ompl::base::Goal& goal,

@@ -39,6 +39,12 @@ public:
         return lastSeconds_;
     }
 
+    /// See CheckTrace::afterCheck().
+    [[nodiscard]] double afterCheck() const noexcept
+    {
+        return trace_->afterCheck();
+    }
+
     /// Puts what has been noted since the last time into the trace.
     void absorb();
 
