@@ -120,7 +120,7 @@ TEST(RigidBodyCheckerThreads, EightThreadsGetTheAnswersOfOne)
 {
     const auto si = std::make_shared<ob::SpaceInformation>(makeSpace<ob::SE3StateSpace>(3));
     const RigidBodyChecker checker(si, roomScene(1));
-    test::expectOneThreadsAnswers(si, checker, checker, 400, 1);
+    test::expectOneThreadsAnswers(si, checker, checker, 1600, 10);
 }
 }  // namespace
 }  // namespace specplan::problems
