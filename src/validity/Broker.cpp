@@ -27,6 +27,36 @@ constexpr double kLongerRest = 2.0;
 constexpr double kMostRest = 1000.0;
 }  // namespace
 
+/// Notes by how much handing checks over takes longer than usual. The first ones start threads: they do not count.
+class Broker::HandOverTimer
+{
+public:
+    explicit HandOverTimer(Broker& broker)
+        : broker_(broker),
+          start_(broker.executor_.now()),
+          ranBefore_(broker.statistics_.runSeconds),
+          submittedBefore_(broker.submitted_)
+    {
+    }
+
+    ~HandOverTimer()
+    {
+        const auto count = static_cast<double>(broker_.submitted_ - submittedBefore_);
+        const double ranHere = broker_.statistics_.runSeconds - ranBefore_;
+        if (submittedBefore_ >= broker_.executor_.workers() && count > 0.0)
+            broker_.handOverSeconds_ += std::max(broker_.executor_.now() - start_ - ranHere - count * kHandOver, 0.0);
+    }
+
+    HandOverTimer(const HandOverTimer&) = delete;
+    HandOverTimer& operator=(const HandOverTimer&) = delete;
+
+private:
+    Broker& broker_;
+    double start_;
+    double ranBefore_;
+    std::uint64_t submittedBefore_;
+};
+
 Broker::Broker(Executor& executor) : executor_(executor), sourceRest_(kRest)
 {
 }
@@ -40,7 +70,7 @@ bool Broker::demand(std::span<const CheckId> checks)
         if (!isKnown(entry.verdict))
             missing_.push_back(check);
         else
-            noteReady(entry);
+            noteReady(check, entry);
     }
     if (!missing_.empty())
         return demandMissing(checks);
@@ -65,7 +95,8 @@ bool Broker::shouldRunHere(CheckId check) const
 {
     const CostMeter& cost = cost_[check.isMotion() ? 1 : 0];
     return executor_.runsInline() ||
-           ((cost.isCheap() || cost.knowsNothing() || secondsEver_ < warmUp_) && executor_.canRunHere());
+           ((cost.isCheap() || cost.knowsNothing() || secondsEver_ < warmUp_ || workersRest()) &&
+            executor_.canRunHere());
 }
 
 /// Runs those missing checks in this thread for which that is the better way, and takes them off the list.
@@ -137,7 +168,7 @@ bool Broker::waitForMissing()
         }
     };
     EndOfWait wait{*this};
-    sourceListens_ = sourcePaused_ == 0.0 || executor_.now() >= sourcePaused_;
+    sourceListens_ = !sourceRests();
     collect(std::chrono::milliseconds{0});
     wait.own = submitMissing();
     if (awaited_ > 0 || wait.own)
@@ -178,7 +209,7 @@ std::optional<CheckId> Broker::submitMissing()
             continue;
         if (isKnown(entry.verdict))  // came back just now
         {
-            noteReady(entry);
+            noteReady(check, entry);
             continue;
         }
         if (entry.verdict == Verdict::InFlight)
@@ -192,7 +223,8 @@ std::optional<CheckId> Broker::submitMissing()
         }
         else
         {
-            executor_.submit(check, Urgency::Demanded);
+            const HandOverTimer timer(*this);
+            submit(check, Urgency::Demanded);
             entry.verdict = Verdict::InFlight;
             ++statistics_.demandedChecks;
         }
@@ -209,11 +241,11 @@ void Broker::runOwn(CheckId check)
     if (entry.failed)
         return;
     ++statistics_.usedInline;
-    noteUse(entry);
+    noteUse(check, entry);
 }
 
 /// The search asks for a verdict that is there.
-void Broker::noteReady(Entry& entry)
+void Broker::noteReady(CheckId check, Entry& entry)
 {
     if (isUsed(entry))
         return;
@@ -225,7 +257,7 @@ void Broker::noteReady(Entry& entry)
     }
     ++statistics_.usedReady;
     statistics_.speculativeReady += entry.speculative ? 1 : 0;
-    noteUse(entry);
+    noteUse(check, entry);
 }
 
 /// Gives the workers more to do while the search has no need to wait.
@@ -244,31 +276,44 @@ void Broker::askSource()
     unsigned room = source_->keepsAsking() ? executor_.room() : executor_.freeWorkers();
     if (room == 0)
         return;
+    const bool pays = sourcePays();
+    if (workersRest())
+        return;
     proposals_.clear();
     source_->proposeAtHand(room, proposals_);
-    for (const CheckId check : proposals_)
-        room -= prefetch(check) ? 1 : 0;
-    if (room == 0 || !sourcePays())
+    room -= handOut();
+    if (room == 0 || !pays)
         return;
     proposals_.clear();
     const double start = executor_.now();
     source_->propose(room, proposals_);
     if (!std::exchange(sourceBegins_, false))  // to begin anew after a rest takes long, and says nothing
         sourceSeconds_ += executor_.now() - start;
+    handOut();
+}
+
+/// \return how many of the proposals were new.
+unsigned Broker::handOut()
+{
+    const HandOverTimer timer(*this);
+    unsigned count = 0;
     for (const CheckId check : proposals_)
-        prefetch(check);
+        count += prefetch(check) ? 1 : 0;
+    return count;
 }
 
 /// Whether the source is worth its time: it must not take the search longer to find checks than to run them. If it is
 /// not it gets a rest, longer each time. (On a virtual clock thinking takes no time.)
 bool Broker::sourcePays()
 {
-    const double inVain = sourceSeconds_ - kMostThinking * sourceGain_;
-    const bool pays = sourceSeconds_ > kTrial && inVain <= 0.0;
-    const bool tooMuch = sourceSeconds_ > kTrial && inVain > kMostSpike * statistics_.runSeconds;
+    const double spent = sourceSeconds_ + handOverSeconds_;
+    const double inVain = spent - kMostThinking * sourceGain_;
+    const bool pays = spent > kTrial && inVain <= 0.0;
+    const bool tooMuch = spent > kTrial && inVain > kMostSpike * statistics_.runSeconds;
     if (tooMuch)
     {
-        sourcePaused_ = executor_.now() + sourceRest_ * sourceSeconds_;
+        sourcePaused_ = executor_.now() + sourceRest_ * spent;
+        handOverIsDear_ = inVain <= handOverSeconds_;
         sourceRest_ = std::min(sourceRest_ * kLongerRest, kMostRest);
         source_->missed();
         sourceListens_ = false;
@@ -279,9 +324,22 @@ bool Broker::sourcePays()
     if (tooMuch || pays)
     {
         sourceSeconds_ = 0.0;
+        handOverSeconds_ = 0.0;
         sourceGain_ = 0.0;
     }
-    return sourcePaused_ == 0.0 || executor_.now() >= sourcePaused_;
+    return !sourceRests();
+}
+
+/// On a busy machine a thread that is woken may take the search's own processor, and handing over comes to cost more
+/// than to check: then nobody is woken for as long as the source rests.
+bool Broker::workersRest() const noexcept
+{
+    return handOverIsDear_ && sourceRests();
+}
+
+bool Broker::sourceRests() const noexcept
+{
+    return sourcePaused_ != 0.0 && executor_.now() < sourcePaused_;
 }
 
 /// Takes back queued checks that have lost their point.
@@ -319,12 +377,17 @@ bool Broker::prefetch(CheckId check)
         runAheadHere(check, entry);
         return true;
     }
-    executor_.submit(check, Urgency::Speculative);
-    sourceGain_ += costOf(check).mean() - kHandOver / kMostThinking;
+    submit(check, Urgency::Speculative);
     entry.verdict = Verdict::InFlight;
     entry.speculative = true;
     ++statistics_.speculativeChecks;
     return true;
+}
+
+void Broker::submit(CheckId check, Urgency urgency)
+{
+    executor_.submit(check, urgency);
+    ++submitted_;
 }
 
 /// Running a check ahead in this thread takes no longer than handing it out would.
@@ -379,6 +442,7 @@ void Broker::record(Completion& completion)
     secondsEver_ += completion.seconds;
     entry.seconds = static_cast<float>(completion.seconds);
     entry.foundIn = query_;
+    entry.elsewhere = !completion.here;
     if (completion.measured)
         costOf(check).add(completion.seconds);
     if (completion.error)
@@ -400,16 +464,18 @@ void Broker::record(Completion& completion)
     if (!entry.failed && !isUsed(entry))
     {
         ++statistics_.usedAfterWait;
-        noteUse(entry);
+        noteUse(check, entry);
     }
 }
 
-void Broker::noteUse(Entry& entry)
+void Broker::noteUse(CheckId check, Entry& entry)
 {
     entry.usedIn = query_;
     ++statistics_.checksUsed;
     statistics_.speculativeUsed += entry.speculative ? 1 : 0;
     statistics_.usedSeconds += static_cast<double>(entry.seconds);
+    if (entry.speculative && entry.elsewhere)
+        sourceGain_ += costOf(check).mean() - kHandOver / kMostThinking;
 }
 
 void Broker::rethrow(CheckId check)

@@ -173,6 +173,7 @@ Completion SimulatedPool::run(CheckId check)
 Completion SimulatedPool::runInSearchThread(CheckId check)
 {
     Completion completion = run(check);
+    completion.here = true;
     advanceTo(now_ + completion.seconds + timing_.afterCheck);
     return completion;
 }

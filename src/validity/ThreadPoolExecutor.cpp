@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/validity/ThreadPoolExecutor.h"
 
+#if defined(__linux__)
+#include <sched.h>
+#endif
+
 #include <algorithm>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "specplan/validity/TakeUnwanted.h"
 
@@ -17,6 +22,16 @@ constexpr double kBusyShare = 0.2;
 
 /// Shorter checks say nothing of those that take the time.
 constexpr double kTellingSeconds = 5e-6;
+
+/// Number of the processor that the calling thread runs on; negative if that cannot be told.
+int currentProcessor() noexcept
+{
+#if defined(__linux__)
+    return sched_getcpu();
+#else
+    return -1;
+#endif
+}
 
 void pause() noexcept
 {
@@ -70,6 +85,7 @@ Completion ThreadPoolExecutor::runHere(CheckId check)
 {
     // The last worker's number belongs to the search thread, or to a thread that has nothing to do now.
     Completion completion = runner_.run(checker_, check, workers_ - 1);
+    completion.here = true;
     learn(completion);
     return completion;
 }
@@ -94,12 +110,15 @@ bool ThreadPoolExecutor::runsDry() const noexcept
 void ThreadPoolExecutor::submit(CheckId check, Urgency urgency)
 {
     startThreadFor(inHand_ + 1);
+    searchProcessor_.store(currentProcessor(), std::memory_order_relaxed);
     bool wake = false;
     {
         const std::lock_guard lock(mutex_);
         (urgency == Urgency::Demanded ? demanded_ : speculative_).push_back(check);
         queued_[kindOf(check)].fetch_add(1, std::memory_order_relaxed);
         wake = sleepers_ > 0 && running_ < threadLimit_;
+        if (wake)
+            --sleepers_;
     }
     ++inHand_;
     if (wake)
@@ -164,6 +183,7 @@ bool ThreadPoolExecutor::workInstead(Lock& lock, std::vector<Completion>& out)
     const CheckId check = popQueue();
     lock.unlock();
     out.push_back(runner_.run(checker_, check, workers_ - 1));
+    out.back().here = true;
     lock.lock();
     return true;
 }
@@ -200,6 +220,7 @@ void ThreadPoolExecutor::setThreadLimit(unsigned limit)
     {
         const std::lock_guard lock(mutex_);
         threadLimit_ = limit;
+        sleepers_ = 0;
     }
     workAvailable_.notify_all();
 }
@@ -272,9 +293,17 @@ void ThreadPoolExecutor::work(unsigned worker)
         --running_;
         finished_.push_back(std::move(completion));
         done_.fetch_add(1, std::memory_order_relaxed);
-        if (searchWaits_)
+        if (std::exchange(searchWaits_, false))
             resultAvailable_.notify_one();
     }
+}
+
+/// Whether the calling thread has the processor that the search was on: on a busy machine a thread that is woken often
+/// comes to run there, and as long as it does the search cannot go on.
+bool ThreadPoolExecutor::keepsSearchOff() const noexcept
+{
+    const int processor = currentProcessor();
+    return processor >= 0 && processor == searchProcessor_.load(std::memory_order_relaxed);
 }
 
 /// Returns when there is work, or at the end.
@@ -284,11 +313,13 @@ void ThreadPoolExecutor::waitForWork(Lock& lock)
     if (spins)
     {
         lock.unlock();
-        spin([this] { return queued() > 0 || ending_.load(std::memory_order_relaxed); });
+        spin([this] { return queued() > 0 || ending_.load(std::memory_order_relaxed) || keepsSearchOff(); });
         lock.lock();
     }
-    ++sleepers_;
-    workAvailable_.wait(lock, [this] { return ending_ || hasWork(); });
-    --sleepers_;
+    while (!ending_ && !hasWork())
+    {
+        ++sleepers_;  // whoever wakes this thread takes it off
+        workAvailable_.wait(lock);
+    }
 }
 }  // namespace specplan::validity

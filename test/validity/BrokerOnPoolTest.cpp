@@ -71,12 +71,12 @@ private:
 class BrokerOnPool : public testing::Test
 {
 protected:
-    SimulatedPool::Timing timing()
+    SimulatedPool::Timing timing(double handOver = 0.0)
     {
         SimulatedPool::Timing timing;
         timing.ofCheck = [this](CheckId check, bool) { return check.isMotion() ? ofMotion : ofState; };
         timing.ofSearch = [this] { return work; };
-        timing.handOver = 0.0;
+        timing.handOver = handOver;
         timing.wake = 0.0;
         return timing;
     }
@@ -163,6 +163,26 @@ TEST_F(BrokerOnPool, ASourceThatThinksForTooLongRestsLongerEachTime)
     for (std::size_t i = 2; i < rests.size(); ++i)
         EXPECT_GT(rests[i] - rests[i - 1], 1.5 * (rests[i - 1] - rests[i - 2]));
     broker.settle();
+}
+
+/// As on a machine whose processors are busy with something else.
+TEST_F(BrokerOnPool, WhereHandingOverCostsMoreThanCheckingNobodyIsWoken)
+{
+    constexpr std::uint32_t kCount = 20000;
+    ofMotion = 20e-6;
+    for (const bool atHand : {false, true})
+    {
+        SimulatedPool busy(checker, 2, timing(40e-6));
+        Broker asking(busy);
+        asking.setWarmUp(0.0);
+        MotionSource naming(work);
+        (atHand ? naming.lastAtHand : naming.last) = 2 * kCount;
+        asking.setSource(&naming);
+        for (std::uint32_t motion = 0; motion < 2 * kCount; motion += 2)
+            EXPECT_TRUE(asking.demand(std::vector{motionCheck(motion), motionCheck(motion + 1)}));
+        EXPECT_LT(asking.now(), 1.04 * (2 * kCount * ofMotion)) << atHand;
+        asking.settle();
+    }
 }
 
 TEST_F(BrokerOnPool, WhatIsAtHandComesBeforeThinkingAndAlsoDuringRests)

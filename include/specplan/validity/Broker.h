@@ -96,6 +96,7 @@ public:
 
 private:
     using Entry = VerdictTable::Entry;
+    class HandOverTimer;
 
     [[nodiscard]] bool demandMissing(std::span<const CheckId> checks);
     [[nodiscard]] bool runHere();
@@ -109,14 +110,18 @@ private:
     {
         return cost_[0].isCheap() && (cost_[1].isCheap() || cost_[1].knowsNothing());
     }
+    void submit(CheckId check, Urgency urgency);
     void runAheadHere(CheckId check, Entry& entry);
     void recordHere(CheckId check, Entry& entry);
     [[nodiscard]] bool sourcePays();
+    [[nodiscard]] bool sourceRests() const noexcept;
+    [[nodiscard]] bool workersRest() const noexcept;
+    unsigned handOut();
     [[nodiscard]] bool waitForMissing();
     [[nodiscard]] std::optional<CheckId> submitMissing();
     void runOwn(CheckId check);
     void runAndTell(CheckId check);
-    void noteReady(Entry& entry);
+    void noteReady(CheckId check, Entry& entry);
     void feed();
     void askSource();
     void dropUnwanted();
@@ -124,7 +129,7 @@ private:
     void collect(std::chrono::milliseconds patience);
     void tellSource();
     void record(Completion& completion);
-    void noteUse(Entry& entry);
+    void noteUse(CheckId check, Entry& entry);
     [[nodiscard]] bool isUsed(const Entry& entry) const noexcept
     {
         return entry.usedIn == query_;
@@ -139,8 +144,12 @@ private:
     bool sawInvalid_ = false;     ///< since queued checks were last looked through
     double sourceSeconds_ = 0.0;  ///< spent on the source's proposals lately, executor's clock
     double warmUp_ = 2e-3;
-    double secondsEver_ = 0.0;   ///< of all checks, in all queries
-    double sourceGain_ = 0.0;    ///< seconds of the checks handed out for it lately, less what handing over costs
+    std::uint64_t submitted_ = 0;   ///< to other threads
+    double handOverSeconds_ = 0.0;  ///< that handing over took lately, more than usual
+    bool handOverIsDear_ = false;   ///< and that is why the source rests
+    double secondsEver_ = 0.0;      ///< of all checks, in all queries
+    double sourceGain_ =
+        0.0;  ///< seconds that other threads saved the search lately by its checks, less what handing over costs
     double sourcePaused_ = 0.0;  ///< time until which the source is not asked
     double sourceRest_;          ///< how long it rests next time, as a multiple of its thinking
     std::function<bool()> interrupt_;

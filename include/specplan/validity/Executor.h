@@ -16,6 +16,7 @@ struct Completion
     CheckId check;
     bool valid = false;
     double seconds = 0.0;      ///< duration of the check, in the executor's time
+    bool here = false;         ///< whether the search thread ran it
     bool measured = true;      ///< whether `seconds` is this check's own duration, not that of one before it
     double busyShare = -1.0;   ///< share of that time spent on a processor; negative if not measured
     std::exception_ptr error;  ///< what the check threw; `valid` means nothing then

@@ -96,6 +96,7 @@ private:
     }
     void work(unsigned worker);
     void waitForWork(Lock& lock);
+    [[nodiscard]] bool keepsSearchOff() const noexcept;
 
     Checker& checker_;
     const unsigned workers_;
@@ -114,6 +115,8 @@ private:
     std::atomic<unsigned> threadLimit_;  ///< pool threads that may run a check now
     std::atomic<bool> ending_{false};
 
+    std::atomic<int> searchProcessor_{-1};  ///< where the search thread last ran, as it says: a hint
+
     // Guarded by mutex_.
     std::mutex mutex_;
     std::condition_variable workAvailable_;
@@ -122,7 +125,7 @@ private:
     std::deque<CheckId> speculative_;
     std::vector<Completion> finished_;
     unsigned running_ = 0;      ///< pool threads that run a check
-    unsigned sleepers_ = 0;     ///< pool threads that have to be woken
-    bool searchWaits_ = false;  ///< the search thread has to be
+    unsigned sleepers_ = 0;     ///< pool threads that have to be woken and are not being woken: that may take long
+    bool searchWaits_ = false;  ///< the same of the search thread
 };
 }  // namespace specplan::validity
