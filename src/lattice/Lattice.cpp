@@ -93,14 +93,6 @@ MotionId Lattice::motionsOf(NodeId node)
     return tables_.firstMotion[node];
 }
 
-/// The node at these coordinates. It is written to `known` once: workers may be reading the end of a motion later on.
-NodeId Lattice::internOnce(NodeId& known, const Coordinate* coordinates)
-{
-    if (known == kNoNode)
-        known = nodes_.intern(coordinates);
-    return known;
-}
-
 void Lattice::successors(NodeId node, Successors& out)
 {
     out.edges.clear();
@@ -121,17 +113,33 @@ void Lattice::successors(NodeId node, Successors& out)
 void Lattice::meet(NodeId node)
 {
     neighbourhood_->steps(nodes_.coordinates(node).data(), steps_);
-    const std::size_t n = dimension();
     if (needsMotions())
     {
         const MotionId first = motionsOf(node);
-        for (std::size_t i = 0; i < steps_.count; ++i)
-            (void)internOnce(motions_[first + steps_.steps[i].index].to, &steps_.ends[i * n]);
+        internEnds([this, first](std::uint32_t step) -> NodeId& { return motions_[first + step].to; });
         return;
     }
     NodeId* ends = tables_.ends.has(node) ? tables_.ends.find(node) : tables_.ends.make(node);
+    internEnds([ends](std::uint32_t step) -> NodeId& { return ends[step]; });
+}
+
+/// Finds the ends of all steps. An end is written once: workers may be reading that of a motion later on.
+template <typename KnownEnd>
+void Lattice::internEnds(KnownEnd known)
+{
+    constexpr std::size_t kAhead = 8;
+    const std::size_t n = dimension();
+    unknown_.clear();
     for (std::size_t i = 0; i < steps_.count; ++i)
-        (void)internOnce(ends[steps_.steps[i].index], &steps_.ends[i * n]);
+        if (known(steps_.steps[i].index) == kNoNode)
+            unknown_.push_back({nodes_.hashOf(&steps_.ends[i * n]), i});
+    for (std::size_t i = 0; i < unknown_.size(); ++i)
+    {
+        if (i + kAhead < unknown_.size())
+            nodes_.fetchRow(unknown_[i + kAhead].hash);
+        const auto& [hash, step] = unknown_[i];
+        known(steps_.steps[step].index) = nodes_.intern(&steps_.ends[step * n], hash);
+    }
 }
 
 /// Steps that depend on where they start.

@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "specplan/util/Hash.h"
-
 namespace specplan::lattice
 {
 namespace
@@ -46,9 +44,8 @@ std::size_t NodeTable::probe(const Coordinate* coordinates, std::uint64_t hash) 
     return place;
 }
 
-NodeId NodeTable::intern(const Coordinate* coordinates)
+NodeId NodeTable::intern(const Coordinate* coordinates, std::uint64_t hash)
 {
-    const std::uint64_t hash = util::hashCoordinates({coordinates, dimension_});
     std::size_t place = probe(coordinates, hash);
     if (slots_[place].node != kNoNode)
         return slots_[place].node;

@@ -193,13 +193,21 @@ private:
         NodeRows ends;                      ///< where no motion is checked: ends by the steps' index
     };
 
+    /// The end of a step that is not known yet.
+    struct UnknownEnd
+    {
+        std::uint64_t hash;  ///< of its coordinates
+        std::size_t step;
+    };
+
     MotionId motionsOf(NodeId node);
     [[nodiscard]] bool needsMotions() const noexcept
     {
         return motionCosts_ != nullptr || neighbourhood_->hasMotionChecks();
     }
     [[nodiscard]] bool hasMotions(NodeId node) const noexcept;
-    [[nodiscard]] NodeId internOnce(NodeId& known, const Coordinate* coordinates);
+    template <typename KnownEnd>
+    void internEnds(KnownEnd known);
     void meet(NodeId node);
     void addSteps(NodeId node, Successors& out);
     void addPatterns(NodeId node, std::span<const Neighbourhood::Pattern> patterns, Successors& out);
@@ -220,8 +228,9 @@ private:
     std::function<double(NodeId, NodeId)> stepCost_;
     MotionCosts* motionCosts_ = nullptr;
     std::size_t terminals_ = 0;
-    Steps steps_;            ///< scratch of successors()
-    Successors successors_;  ///< scratch of neighbours()
+    Steps steps_;                      ///< scratch of successors()
+    std::vector<UnknownEnd> unknown_;  ///< scratch of internEnds()
+    Successors successors_;            ///< scratch of neighbours()
     std::vector<Coordinate> next_;
 };
 }  // namespace specplan::lattice

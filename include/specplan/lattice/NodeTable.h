@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "specplan/util/Hash.h"
 #include "specplan/util/SegmentedRows.h"
 
 namespace specplan::lattice
@@ -40,7 +41,27 @@ public:
 
     /// The node at these coordinates (`dimension()` of them), made on first touch.
     /// \throws std::length_error beyond 2^31 nodes.
-    NodeId intern(const Coordinate* coordinates);
+    NodeId intern(const Coordinate* coordinates)
+    {
+        return intern(coordinates, hashOf(coordinates));
+    }
+
+    /// The same in three steps, for whoever has many to look up: most of the time goes into waiting for memory, and
+    /// between the steps there is time for others.
+    [[nodiscard]] std::uint64_t hashOf(const Coordinate* coordinates) const noexcept
+    {
+        const std::uint64_t hash = util::hashCoordinates({coordinates, dimension_});
+        __builtin_prefetch(&slots_[hash & (slots_.size() - 1)]);
+        return hash;
+    }
+
+    void fetchRow(std::uint64_t hash) const noexcept
+    {
+        if (const Slot& slot = slots_[hash & (slots_.size() - 1)]; slot.node != kNoNode)
+            __builtin_prefetch(rows_.row(slot.node));
+    }
+
+    NodeId intern(const Coordinate* coordinates, std::uint64_t hash);
 
     /// The node at these coordinates, or kNoNode if it was never touched.
     [[nodiscard]] NodeId find(const Coordinate* coordinates) const noexcept;
