@@ -83,7 +83,7 @@ void SimulatedPool::submit(CheckId check, Urgency urgency)
     (urgency == Urgency::Demanded ? demanded_ : speculative_).push_back(check);
     if (idle_.empty())
         return;
-    const bool sleeps = now_ - idle_.back() > PoolRules::kSpinSeconds;
+    const bool sleeps = now_ - idle_.back() > PoolRules::kWorkerSpins;
     idle_.pop_back();
     begin(now_ + (sleeps ? timing_.wake : 0.0));
 }
@@ -133,7 +133,7 @@ void SimulatedPool::cancelUnwanted(const std::function<bool(CheckId)>& isWanted,
 void SimulatedPool::waitForResult()
 {
     const double end = running_.front().end;
-    advanceTo(end - now_ > PoolRules::kSpinSeconds ? end + timing_.wake : end);
+    advanceTo(end - now_ > PoolRules::kSearchSpins ? end + timing_.wake : end);
 }
 
 /// What the workers do until then.

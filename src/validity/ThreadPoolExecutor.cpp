@@ -42,12 +42,12 @@ void pause() noexcept
 #endif
 }
 
-/// Waits a moment for `ready` without sleeping.
+/// Waits for `ready` without sleeping, for so many seconds at most.
 template <typename Ready>
-void spin(const Ready& ready)
+void spin(double seconds, const Ready& ready)
 {
     constexpr int kLooksPerClock = 64;
-    const double end = steadySeconds() + PoolRules::kSpinSeconds;
+    const double end = steadySeconds() + seconds;
     do
         for (int i = 0; i < kLooksPerClock; ++i)
         {
@@ -193,7 +193,7 @@ void ThreadPoolExecutor::waitForResult(Lock& lock, std::chrono::milliseconds pat
     if (usedWorkers() <= processors_)
     {
         lock.unlock();
-        spin([this] { return done_.load(std::memory_order_relaxed) > 0; });
+        spin(PoolRules::kSearchSpins, [this] { return done_.load(std::memory_order_relaxed) > 0; });
         lock.lock();
     }
     searchWaits_ = true;
@@ -313,7 +313,8 @@ void ThreadPoolExecutor::waitForWork(Lock& lock)
     if (spins)
     {
         lock.unlock();
-        spin([this] { return queued() > 0 || ending_.load(std::memory_order_relaxed) || keepsSearchOff(); });
+        spin(PoolRules::kWorkerSpins,
+             [this] { return queued() > 0 || ending_.load(std::memory_order_relaxed) || keepsSearchOff(); });
         lock.lock();
     }
     while (!ending_ && !hasWork())
