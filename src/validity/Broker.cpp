@@ -290,6 +290,8 @@ void Broker::askSource()
     if (!std::exchange(sourceBegins_, false))  // to begin anew after a rest takes long, and says nothing
         sourceSeconds_ += executor_.now() - start;
     handOut();
+    for (const CheckId check : proposals_)
+        table_[check].thoughtOf = true;
 }
 
 /// \return how many of the proposals were new.
@@ -307,13 +309,13 @@ unsigned Broker::handOut()
 bool Broker::sourcePays()
 {
     const double spent = sourceSeconds_ + handOverSeconds_;
-    const double inVain = spent - kMostThinking * sourceGain_;
+    const double inVain = std::max(sourceSeconds_ - kMostThinking * sourceGain_, spent - kMostThinking * handOverGain_);
     const bool pays = spent > kTrial && inVain <= 0.0;
     const bool tooMuch = spent > kTrial && inVain > kMostSpike * statistics_.runSeconds;
     if (tooMuch)
     {
         sourcePaused_ = executor_.now() + sourceRest_ * spent;
-        handOverIsDear_ = inVain <= handOverSeconds_;
+        handOverIsDear_ = handOverSeconds_ > kMostThinking * handOverGain_;
         sourceRest_ = std::min(sourceRest_ * kLongerRest, kMostRest);
         source_->missed();
         sourceListens_ = false;
@@ -326,6 +328,7 @@ bool Broker::sourcePays()
         sourceSeconds_ = 0.0;
         handOverSeconds_ = 0.0;
         sourceGain_ = 0.0;
+        handOverGain_ = 0.0;
     }
     return !sourceRests();
 }
@@ -474,8 +477,11 @@ void Broker::noteUse(CheckId check, Entry& entry)
     ++statistics_.checksUsed;
     statistics_.speculativeUsed += entry.speculative ? 1 : 0;
     statistics_.usedSeconds += static_cast<double>(entry.seconds);
-    if (entry.speculative && entry.elsewhere)
-        sourceGain_ += costOf(check).mean() - kHandOver / kMostThinking;
+    if (!entry.elsewhere)
+        return;
+    const double gain = costOf(check).mean() - kHandOver / kMostThinking;
+    handOverGain_ += gain;
+    sourceGain_ += entry.thoughtOf ? gain : 0.0;
 }
 
 void Broker::rethrow(CheckId check)

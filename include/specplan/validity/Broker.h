@@ -148,10 +148,10 @@ private:
     double handOverSeconds_ = 0.0;  ///< that handing over took lately, more than usual
     bool handOverIsDear_ = false;   ///< and that is why the source rests
     double secondsEver_ = 0.0;      ///< of all checks, in all queries
-    double sourceGain_ =
-        0.0;  ///< seconds that other threads saved the search lately by its checks, less what handing over costs
-    double sourcePaused_ = 0.0;  ///< time until which the source is not asked
-    double sourceRest_;          ///< how long it rests next time, as a multiple of its thinking
+    double handOverGain_ = 0.0;     ///< seconds that other threads saved it lately, less what handing over costs
+    double sourceGain_ = 0.0;       ///< the part of that for which the source had to think
+    double sourcePaused_ = 0.0;     ///< time until which the source is not asked
+    double sourceRest_;             ///< how long it rests next time, as a multiple of its thinking
     std::function<bool()> interrupt_;
     VerdictTable table_;
     std::uint16_t query_ = 1;
