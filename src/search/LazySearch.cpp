@@ -18,6 +18,13 @@ constexpr std::size_t kPortion = 4096;
 /// Nodes that one guess may cost before it is left alone until it is known.
 constexpr std::size_t kMostForGuess = 20000;
 
+/// Checks that one decision may take together, and entries of OPEN among which it looks for doubtful ones.
+constexpr std::size_t kTogether = 64;
+constexpr std::size_t kLookedAt = 96;
+
+/// The same for what is handed out before the next decision.
+constexpr std::size_t kLookedAhead = 384;
+
 /// A check is guessed to be valid from this probability on: an obstacle goes on beside where it was met. A little less
 /// will do where the answer decides on one step, not on the way to the goal.
 constexpr double kLikely = 0.75;
@@ -37,7 +44,7 @@ SearchStatus LazySearch::run(const std::function<bool()>& stop)
     {
         if (stop())
             return SearchStatus::Stopped;
-        CheckId check;
+        demanded_.clear();
         if (guesses_.empty())
         {
             switch (plan(kPortion))  // 1, 2: the best path, and what to check of it
@@ -50,19 +57,22 @@ SearchStatus LazySearch::run(const std::function<bool()>& stop)
                     finish();
                     return SearchStatus::Solved;
                 case Plan::Next:
-                    check = next_;
+                    demanded_ = next_;
             }
         }
         else
-            check = guesses_.front().check;
-        if (!broker_.demand({&check, 1}))  // 4
+            for (std::size_t i = 0; i < endOfDecision(0); ++i)
+                demanded_.push_back(guesses_[i].check);
+        if (!broker_.demand(demanded_))  // 4
             return SearchStatus::Stopped;
-        commit(check, broker_.verdict(check) == Verdict::Valid);  // 5
+        ++decisions_;
+        for (const CheckId check : demanded_)
+            commit(check, broker_.verdict(check) == Verdict::Valid);  // 5
     }
     return SearchStatus::Solved;
 }
 
-/// Brings the best path up to date and chooses the next check, in the situation after all guesses.
+/// Brings the best path up to date and chooses the next checks, in the situation after all guesses.
 LazySearch::Plan LazySearch::plan(std::size_t budget)
 {
     while (plan_ == Plan::Unfinished)
@@ -74,7 +84,7 @@ LazySearch::Plan LazySearch::plan(std::size_t budget)
             state != LazyTree::Repair::Done)
         {
             if (state == LazyTree::Repair::Doubtful)
-                demandNext(CheckId::ofState(tree_.doubtful()));
+                demandDoubtful();
             return plan_;
         }
         budget -= static_cast<std::size_t>(tree_.expansions() - before);
@@ -97,14 +107,21 @@ bool LazySearch::chooseSuspect()
                   { return !tree_.isPassed(node) || tree_.verdict(CheckId::ofState(node)) != Verdict::Unknown; });
     if (suspects_.empty())
         return false;
-    demandNext(CheckId::ofState(
-        *std::ranges::min_element(suspects_, [this](NodeId a, NodeId b) { return tree_.comesBefore(a, b); })));
+    next_.assign(1, CheckId::ofState(*std::ranges::min_element(
+                        suspects_, [this](NodeId a, NodeId b) { return tree_.comesBefore(a, b); })));
+    plan_ = Plan::Next;
     return true;
 }
 
-void LazySearch::demandNext(CheckId check)
+/// Where the repair stands at a doubtful node, the next on OPEN mostly are as doubtful: they lie along one obstacle.
+void LazySearch::demandDoubtful()
 {
-    next_ = check;
+    tree_.doubtful(kLookedAt, doubtful_);
+    next_.clear();
+    for (const NodeId node : doubtful_)
+        if (next_.size() < kTogether)
+            next_.push_back(CheckId::ofState(node));
+    lookedAhead_ = false;
     plan_ = Plan::Next;
 }
 
@@ -130,35 +147,28 @@ void LazySearch::readPath()
 
 void LazySearch::choose()
 {
-    const std::vector<CheckId>& unknown = unknownStates_.empty() ? unknownMotions_ : unknownStates_;
-    if (unknown.empty())
-        plan_ = Plan::Valid;
-    else
-        demandNext(unknown[placeOf(unknown)]);
-}
-
-std::size_t LazySearch::placeOf(const std::vector<CheckId>& unknown) const
-{
+    inOrder_ = unknownStates_.empty() ? unknownMotions_ : unknownStates_;
     switch (selector_)
     {
         case Selector::Forward:
-            return unknown.size() - 1;
+            std::ranges::reverse(inOrder_);
+            break;
         case Selector::Backward:
-            return 0;
+            break;
         case Selector::Alternate:
-            return (decisions_ + guesses_.size()) % 2 == 0 ? unknown.size() - 1 : 0;
+            std::ranges::reverse(inOrder_);
+            for (std::size_t i = 1; i < inOrder_.size(); i += 2)
+                std::rotate(inOrder_.begin() + static_cast<std::ptrdiff_t>(i), inOrder_.end() - 1, inOrder_.end());
+            break;
         case Selector::LeastLikely:
+            std::ranges::stable_sort(inOrder_, {}, [this](CheckId check) { return probabilityValid(check); });
             break;
     }
-    std::size_t place = 0;
-    double least = 2.0;
-    for (std::size_t i = 0; i < unknown.size(); ++i)
-        if (const double probability = probabilityValid(unknown[i]); probability < least)
-        {
-            least = probability;
-            place = i;
-        }
-    return place;
+    next_.clear();
+    for (const CheckId check : inOrder_)  // a state may lie on the path and beside it
+        if (next_.size() < kTogether && std::ranges::find(next_, check) == next_.end())
+            next_.push_back(check);
+    plan_ = next_.empty() ? Plan::Valid : Plan::Next;
 }
 
 double LazySearch::probabilityValid(CheckId check) const
@@ -211,7 +221,6 @@ void LazySearch::commit(CheckId check, bool valid)
 
 void LazySearch::note(CheckId check, bool valid)
 {
-    ++decisions_;
     const auto mixIn = [this](NodeId node)
     { orderHash_ = util::mix(orderHash_, util::hashCoordinates(lattice_.coordinates(node))); };
     if (check.isMotion())
@@ -237,15 +246,17 @@ void LazySearch::proposeAtHand(std::size_t count, std::vector<CheckId>& out)
     if (!guesses_.empty() || plan(kPortion) != Plan::Next)
         return;
     const std::size_t most = out.size() + count;
-    addUnknown(next_, most, out);
+    for (const CheckId check : next_)
+        addUnknown(check, most, out);
     for (const NodeId suspect : suspects_)
         addUnknown(CheckId::ofState(suspect), most, out);
     if (pathHolds_)
         for (const CheckId check : unknownStates_.empty() ? unknownMotions_ : unknownStates_)
             addUnknown(check, most, out);
-    else if (suspects_.empty())
+    else if (suspects_.empty() && out.size() < most)
     {
-        tree_.doubtfulSoon(doubtful_);
+        if (!std::exchange(lookedAhead_, true))
+            tree_.doubtful(kLookedAhead, doubtful_);
         for (const NodeId node : doubtful_)
             addUnknown(CheckId::ofState(node), most, out);
     }
@@ -267,11 +278,18 @@ void LazySearch::propose(std::size_t count, std::vector<CheckId>& out)
                 return;
             continue;
         }
-        const Verdict verdict = broker_.verdict(next_);
-        addUnknown(next_, most, out);
+        for (const CheckId check : next_)
+            addUnknown(check, most, out);
         for (const NodeId suspect : suspects_)
             addUnknown(CheckId::ofState(suspect), most, out);
-        guess(probabilityValid(next_), validity::isKnown(verdict) ? verdict == Verdict::Valid : isLikely(next_));
+        guessed_.clear();
+        for (const CheckId check : next_)
+        {
+            const Verdict verdict = broker_.verdict(check);
+            guessed_.push_back({check, validity::isKnown(verdict) ? verdict == Verdict::Valid : isLikely(check),
+                                probabilityValid(check)});
+        }
+        guess(guessed_);
     }
 }
 
@@ -283,12 +301,30 @@ bool LazySearch::isLikely(CheckId check) const
            (!check.isMotion() && tree_.isGoal(check.node()));
 }
 
-/// Goes on as if the next check had come out like this.
-void LazySearch::guess(double probability, bool valid)
+/// Goes on as if the checks of one decision had come out like this.
+void LazySearch::guess(std::span<const Foreseen> decision)
 {
-    guesses_.push_back({next_, valid, probability, suspects_, {}});
-    tree_.record(&guesses_.back().journal);
-    enter(next_, valid);
+    for (const Foreseen& foreseen : decision)
+    {
+        guesses_.push_back({{foreseen}, &foreseen == &decision.back(), suspects_, {}});
+        tree_.record(&guesses_.back().journal);
+        enter(foreseen.check, foreseen.valid);
+    }
+}
+
+/// Of the decision that a guess belongs to.
+std::size_t LazySearch::beginOfDecision(std::size_t guess) const
+{
+    while (guess > 0 && !guesses_[guess - 1].isLast)
+        --guess;
+    return guess;
+}
+
+std::size_t LazySearch::endOfDecision(std::size_t guess) const
+{
+    while (!guesses_[guess].isLast)
+        ++guess;
+    return guess + 1;
 }
 
 /// The guesses lead to a goal: looks for the weakest of those that hope for the best, and goes on as if it were wrong.
@@ -305,11 +341,12 @@ bool LazySearch::doubtPath()
     }
     if (weakest == guesses_.size())
         return false;
-    const CheckId check = guesses_[weakest].check;
-    const double probability = guesses_[weakest].probability;
-    takeBack(weakest);
-    next_ = check;
-    guess(probability, false);
+    const std::size_t first = beginOfDecision(weakest);
+    guessed_.clear();
+    for (std::size_t i = first; i < endOfDecision(weakest); ++i)
+        guessed_.push_back({guesses_[i].check, guesses_[i].valid && i != weakest, guesses_[i].probability});
+    takeBack(first);
+    guess(guessed_);
     return true;
 }
 
@@ -338,7 +375,7 @@ void LazySearch::learned(CheckId check, bool valid)
 {
     const auto place = std::ranges::find(guesses_, check, &Guess::check);
     if (place != guesses_.end() && place->valid != valid)
-        takeBack(static_cast<std::size_t>(place - guesses_.begin()));
+        takeBack(beginOfDecision(static_cast<std::size_t>(place - guesses_.begin())));
 }
 
 void LazySearch::missed()

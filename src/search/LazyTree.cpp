@@ -21,9 +21,6 @@ constexpr int kUnitBits = 36;
 /// one is followed to its end. This share of the predecessor's estimate is added to f; it is more than rounding does to
 /// the costs, and nobody notices it in the cost of the path.
 constexpr double kTieShare = 0x1p-33;
-
-/// Entries of OPEN among which the next ones are looked for: the first three levels of the heap.
-constexpr std::size_t kLookedAt = 21;
 }  // namespace
 
 LazyTree::LazyTree(lattice::Lattice& lattice, const lattice::Heuristic& heuristic, double weight)
@@ -117,16 +114,16 @@ LazyTree::Repair LazyTree::repair(std::size_t budget)
     return Repair::Done;
 }
 
-void LazyTree::doubtfulSoon(std::vector<NodeId>& out)
+void LazyTree::doubtful(std::size_t count, std::vector<NodeId>& out)
 {
-    soon_.clear();
-    for (const util::OpenList::Entry& entry : open_.entries().first(std::min(open_.size(), kLookedAt)))
-        if (nodes_[entry.item].verdict == Verdict::Unknown && entry.key.f < kUnreached && doubt_ && doubt_(entry.item))
-            soon_.push_back(entry);
-    std::ranges::sort(soon_, [](const auto& a, const auto& b) { return a.key.before(b.key); });
     out.clear();
-    for (const util::OpenList::Entry& entry : soon_)
-        out.push_back(entry.item);
+    open_.visitFirst(
+        count,
+        [&](const util::OpenList::Entry& entry)
+        {
+            if (nodes_[entry.item].verdict == Verdict::Unknown && entry.key.f < kUnreached && doubt_(entry.item))
+                out.push_back(entry.item);
+        });
 }
 
 /// A better way to the node was found: passes it on.

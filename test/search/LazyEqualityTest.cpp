@@ -95,11 +95,14 @@ LazyResult solve(const RandomProblem& problem, Configuration& configuration, Sel
         broker.setVerdict(CheckId::ofState(node(start)), true);
         search.addStart(node(start));
     }
+    std::uint64_t entered = 0;
+    search.setObserver([&entered](CheckId, bool) { ++entered; });
     const search::SearchStatus status = search.run([] { return false; });
     broker.settle();
     configuration.checker->close();
     EXPECT_EQ(configuration.checker->violations(), 0);
     expectCountsAddUp(broker.statistics());
+    EXPECT_EQ(broker.statistics().checksUsed, entered);
 
     LazyResult result{status,
                       {},
@@ -160,7 +163,7 @@ void expectWithin(double weight, const RandomProblem& problem, const CellSolutio
     EXPECT_NEAR(costOfValidPath(problem, result.path), result.cost, 1e-9);
     EXPECT_LE(result.cost, weight * reference.cost + 1e-9);
     EXPECT_GE(result.cost, reference.cost - 1e-9);
-    EXPECT_EQ(result.checksUsed, result.decisions);
+    EXPECT_GE(result.checksUsed, result.decisions);
 }
 
 void expectEqual(const LazyResult& result, const LazyResult& serial)

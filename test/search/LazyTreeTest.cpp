@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include <deque>
 #include <random>
 
@@ -182,13 +184,41 @@ TEST(LazyTree, AVerdictCostsFarLessThanTheTree)
     EXPECT_LT(square.tree.expansions() - whole, whole / 100);
 }
 
+std::vector<lattice::NodeId> doubtfulOf(Square& square, std::size_t count)
+{
+    std::vector<lattice::NodeId> doubtful;
+    square.tree.doubtful(count, doubtful);
+    return doubtful;
+}
+
+TEST(LazyTree, NamesWhatIsDoubtfulOnOpenOnceAndBeginsWhereItStands)
+{
+    Square square;
+    square.tree.setDoubt([&square](lattice::NodeId node) { return square.lattice.coordinates(node)[0] >= 100; });
+    for (int rounds = 0; rounds < 10; ++rounds)
+    {
+        ASSERT_EQ(square.tree.repair(kAnyNumber), Repair::Doubtful);
+        const std::vector<lattice::NodeId> named = doubtfulOf(square, 1000);
+        ASSERT_GE(named.size(), 2U);
+        EXPECT_EQ(doubtfulOf(square, 1), std::vector{named.front()});
+        EXPECT_EQ(std::set(named.begin(), named.end()).size(), named.size());
+        for (const lattice::NodeId node : named)
+        {
+            EXPECT_FALSE(square.tree.isPassed(node));
+            EXPECT_EQ(square.tree.verdict(CheckId::ofState(node)), validity::Verdict::Unknown);
+            EXPECT_EQ(square.lattice.coordinates(node)[0], 100);
+        }
+        square.tree.enter(CheckId::ofState(named.front()), false);
+    }
+}
+
 TEST(LazyTree, WhatIsDoubtfulIsAskedForBeforeWaysAreBuiltOnIt)
 {
     Square square;
     const lattice::NodeId doubtful = square.node(100, 120);  // on the one path that it would follow
     square.tree.setDoubt([doubtful](lattice::NodeId node) { return node == doubtful; });
     ASSERT_EQ(square.tree.repair(kAnyNumber), Repair::Doubtful);
-    EXPECT_EQ(square.tree.doubtful(), doubtful);
+    EXPECT_EQ(doubtfulOf(square, 1), std::vector{doubtful});
     EXPECT_FALSE(square.tree.isPassed(doubtful));
     EXPECT_TRUE(square.tree.isPassed(square.node(99, 120)));
     EXPECT_FALSE(square.tree.isPassed(square.node(101, 120)));

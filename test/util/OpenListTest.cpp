@@ -69,6 +69,19 @@ TEST(OpenList, BehavesLikeASortedMap)
         }
         ASSERT_EQ(open.size(), model.size());
         ASSERT_EQ(open.empty(), model.empty());
+        if (age % 16 != 0)
+            continue;
+        const std::size_t count = random() % 40;
+        auto expected = model.begin();
+        std::size_t visited = 0;
+        open.visitFirst(count,
+                        [&](const OpenList::Entry& entry)
+                        {
+                            ASSERT_NE(expected, model.end());
+                            ASSERT_EQ(entry.item, (expected++)->second);
+                            ++visited;
+                        });
+        ASSERT_EQ(visited, std::min(count, model.size()));
     }
     while (!model.empty())
     {

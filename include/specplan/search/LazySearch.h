@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "specplan/search/LatticeSearch.h"
@@ -16,7 +17,7 @@ namespace specplan::search
 {
 using lattice::CheckId;
 
-/// Which unknown check of the best path comes first. States always come before motions.
+/// Which unknown checks of the best path come first. States always come before motions.
 enum class Selector
 {
     LeastLikely,  ///< the least likely to be valid; of several the nearest to the goal
@@ -29,10 +30,11 @@ enum class Selector
 /// fails. Needs far fewer checks than A* for a path of the same cost, and more work of its own for each.
 ///
 /// Idea: LazySP (Dellin, Srinivasa 2016) on an incremental search, see LazyTree. The search is a series of decisions,
-/// each of which demands one check. While it waits it runs ahead of itself: it takes predicted verdicts for the checks
-/// that are still open, goes on deciding, and proposes the checks that it meets. What was decided on a wrong guess is
-/// taken back. So the decisions, the path and its cost are the same whoever runs the checks, and whenever. The numbers
-/// in the comments of the body are those of docs/algorithm.md.
+/// each of which demands some checks that are hardly less needed than the first of them: so they can run at the same
+/// time, and the search is brought up to date once for all of them. While it waits it runs ahead of itself: it takes
+/// predicted verdicts for the checks that are still open, goes on deciding, and proposes the checks that it meets. What
+/// was decided on a wrong guess is taken back. So the decisions, the path and its cost are the same whoever runs the
+/// checks, and whenever. The numbers in the comments of the body are those of docs/algorithm.md.
 ///
 /// Where a state is doubtful, because one beside it is known to be invalid, it is checked before ways are built on it:
 /// so the search follows the edges of obstacles instead of running into them again and again.
@@ -108,7 +110,7 @@ public:
         return broker_.isUsed(CheckId::ofState(node));
     }
 
-    /// Number of decisions, each of which demanded one check.
+    /// Number of decisions, each of which demanded some checks.
     [[nodiscard]] std::uint64_t decisions() const noexcept
     {
         return decisions_;
@@ -143,12 +145,18 @@ public:
     }
 
 private:
-    /// A decision that the search has made ahead of time, on a guess how the check turns out.
-    struct Guess
+    /// How a check may turn out.
+    struct Foreseen
     {
         CheckId check;
         bool valid;
-        double probability;            ///< that the check is valid
+        double probability;  ///< that the check is valid
+    };
+
+    /// A check that the search has taken into account ahead of time.
+    struct Guess : Foreseen
+    {
+        bool isLast;                   ///< of those of one decision
         std::vector<NodeId> suspects;  ///< before this guess
         LazyTree::Journal journal;     ///< all changes from this guess to the next
     };
@@ -156,17 +164,16 @@ private:
     enum class Plan
     {
         Unfinished,
-        Next,   ///< next_ is the check to demand
+        Next,   ///< next_ are the checks to demand
         Valid,  ///< nothing on the path is unknown
         NoWay   ///< no goal can be reached
     };
 
     [[nodiscard]] Plan plan(std::size_t budget);
     [[nodiscard]] bool chooseSuspect();
-    void demandNext(CheckId check);
+    void demandDoubtful();
     void readPath();
     void choose();
-    [[nodiscard]] std::size_t placeOf(const std::vector<CheckId>& unknown) const;
     void suspectAround(NodeId node);
     void enter(CheckId check, bool valid);
     void commit(CheckId check, bool valid);
@@ -176,7 +183,9 @@ private:
     // Running ahead.
     void addUnknown(CheckId check, std::size_t most, std::vector<CheckId>& out) const;
     [[nodiscard]] bool isLikely(CheckId check) const;
-    void guess(double probability, bool valid);
+    void guess(std::span<const Foreseen> decision);
+    [[nodiscard]] std::size_t beginOfDecision(std::size_t guess) const;
+    [[nodiscard]] std::size_t endOfDecision(std::size_t guess) const;
     void takeBack(std::size_t first);
     [[nodiscard]] bool doubtPath();
     [[nodiscard]] double probabilityValid(CheckId check) const;
@@ -190,19 +199,23 @@ private:
 
     Plan plan_ = Plan::Unfinished;        ///< after all guesses
     bool pathHolds_ = false;              ///< path_ and what is unknown of it are up to date
-    CheckId next_;                        ///< if plan_ is Next
+    std::vector<CheckId> next_;           ///< if plan_ is Next; in order
     std::vector<LazyTree::EdgeId> path_;  ///< last motion first
     std::vector<CheckId> unknownStates_;  ///< of path_, in its order
     std::vector<CheckId> unknownMotions_;
     std::vector<NodeId> suspects_;  ///< doubtful nodes that ways may lead through
-    std::deque<Guess> guesses_;     ///< in order of deciding; what the search has demanded is off the list
+    std::deque<Guess> guesses_;     ///< in order of deciding; what is committed is off the list
     bool stuck_ = false;            ///< the last guess takes more work than a guess is worth
     std::uint64_t decisions_ = 0;
     std::uint64_t orderHash_ = 0;
     std::vector<NodeId> solution_;
     std::vector<double> solutionCosts_;  ///< parallel to solution_: cost from the start
     lattice::Successors successors_;     ///< scratch
-    std::vector<NodeId> doubtful_;       ///< scratch of proposeAtHand()
+    std::vector<CheckId> demanded_;      ///< scratch of run()
+    std::vector<NodeId> doubtful_;       ///< where the repair stands
+    bool lookedAhead_ = false;           ///< doubtful_ goes beyond next_
+    std::vector<Foreseen> guessed_;      ///< scratch of propose()
     std::vector<CheckId> inner_;         ///< scratch of readPath()
+    std::vector<CheckId> inOrder_;       ///< scratch of choose()
 };
 }  // namespace specplan::search

@@ -69,20 +69,15 @@ public:
     {
         Done,        ///< the shortest path is known
         Unfinished,  ///< `budget` nodes have been expanded
-        Doubtful     ///< doubtful() has to be checked first
+        Doubtful     ///< the first of doubtful() has to be checked before
     };
 
     /// Goes on with the repair.
     [[nodiscard]] Repair repair(std::size_t budget);
 
-    /// The node whose state the repair waits for.
-    [[nodiscard]] NodeId doubtful() const noexcept
-    {
-        return open_.top().item;
-    }
-
-    /// Writes nodes that the repair may wait for after that one, the most likely first.
-    void doubtfulSoon(std::vector<NodeId>& out);
+    /// After Repair::Doubtful: the node whose state the repair waits for, and those for which it may wait soon, in that
+    /// order. \param count number of entries of OPEN to look at.
+    void doubtful(std::size_t count, std::vector<NodeId>& out);
 
     /// Whether ways to other nodes may lead through this one.
     [[nodiscard]] bool isPassed(NodeId node) const noexcept
@@ -222,9 +217,8 @@ private:
     Journal* journal_ = nullptr;
     std::uint64_t journals_ = 0;
     std::uint64_t expansions_ = 0;
-    std::vector<NodeId> forsaken_;             ///< scratch of lose(): nodes whose ways on have to be given up
-    std::vector<NodeId> lost_;                 ///< nodes that may have lost their way and not looked for another one
-    lattice::Successors successors_;           ///< scratch of connect()
-    std::vector<util::OpenList::Entry> soon_;  ///< scratch of doubtfulSoon()
+    std::vector<NodeId> forsaken_;    ///< scratch of lose(): nodes whose ways on have to be given up
+    std::vector<NodeId> lost_;        ///< nodes that may have lost their way and not looked for another one
+    lattice::Successors successors_;  ///< scratch of connect()
 };
 }  // namespace specplan::search

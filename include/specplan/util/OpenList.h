@@ -66,6 +66,28 @@ public:
         return heap_;
     }
 
+    /// Calls `visit` with the first `count` entries in order, or all if there are fewer.
+    template <typename Visit>
+    void visitFirst(std::size_t count, const Visit& visit)
+    {
+        const auto after = [this](std::size_t a, std::size_t b) { return heap_[b].key.before(heap_[a].key); };
+        rim_.clear();
+        if (!heap_.empty())
+            rim_.push_back(0);
+        for (; count > 0 && !rim_.empty(); --count)
+        {
+            std::ranges::pop_heap(rim_, after);
+            const std::size_t place = rim_.back();
+            rim_.pop_back();
+            visit(heap_[place]);
+            for (std::size_t child = place * kArity + 1; child <= (place + 1) * kArity && child < heap_.size(); ++child)
+            {
+                rim_.push_back(child);
+                std::ranges::push_heap(rim_, after);
+            }
+        }
+    }
+
     /// Adds the item, or moves its entry to the new place.
     void push(std::uint32_t item, const OpenKey& key)
     {
@@ -163,5 +185,6 @@ private:
 
     std::vector<Entry> heap_;
     std::vector<std::uint32_t> position_;  ///< item -> index in heap_, or kAbsent
+    std::vector<std::size_t> rim_;         ///< scratch of visitFirst(): places that may come next
 };
 }  // namespace specplan::util
