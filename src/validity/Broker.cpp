@@ -70,7 +70,7 @@ bool Broker::demand(std::span<const CheckId> checks)
         if (!isKnown(entry.verdict))
             missing_.push_back(check);
         else
-            noteReady(check, entry);
+            noteReady(entry);
     }
     if (!missing_.empty())
         return demandMissing(checks);
@@ -209,7 +209,7 @@ std::optional<CheckId> Broker::submitMissing()
             continue;
         if (isKnown(entry.verdict))  // came back just now
         {
-            noteReady(check, entry);
+            noteReady(entry);
             continue;
         }
         if (entry.verdict == Verdict::InFlight)
@@ -241,11 +241,11 @@ void Broker::runOwn(CheckId check)
     if (entry.failed)
         return;
     ++statistics_.usedInline;
-    noteUse(check, entry);
+    noteUse(entry);
 }
 
 /// The search asks for a verdict that is there.
-void Broker::noteReady(CheckId check, Entry& entry)
+void Broker::noteReady(Entry& entry)
 {
     if (isUsed(entry))
         return;
@@ -257,7 +257,7 @@ void Broker::noteReady(CheckId check, Entry& entry)
     }
     ++statistics_.usedReady;
     statistics_.speculativeReady += entry.speculative ? 1 : 0;
-    noteUse(check, entry);
+    noteUse(entry);
 }
 
 /// Gives the workers more to do while the search has no need to wait.
@@ -289,9 +289,9 @@ void Broker::askSource()
     source_->propose(room, proposals_);
     if (!std::exchange(sourceBegins_, false))  // to begin anew after a rest takes long, and says nothing
         sourceSeconds_ += executor_.now() - start;
+    thought_ = true;
     handOut();
-    for (const CheckId check : proposals_)
-        table_[check].thoughtOf = true;
+    thought_ = false;
 }
 
 /// \return how many of the proposals were new.
@@ -359,6 +359,7 @@ void Broker::drop(std::span<const CheckId> checks)
 {
     for (const CheckId check : checks)
     {
+        countGain(check, -1.0);
         Entry& entry = table_[check];
         if (entry.speculative)
             ++statistics_.speculativeDropped;
@@ -391,6 +392,22 @@ void Broker::submit(CheckId check, Urgency urgency)
 {
     executor_.submit(check, urgency);
     ++submitted_;
+    Entry& entry = table_[check];
+    entry.handedOver = true;
+    entry.thoughtOf = thought_;
+    countGain(check, 1.0);
+}
+
+/// Notes what it saves the search that another thread runs a check; with -1 that it comes to nothing.
+void Broker::countGain(CheckId check, double times)
+{
+    Entry& entry = table_[check];
+    if (!entry.handedOver)
+        return;
+    const double gain = times * (costOf(check).mean() - kHandOver / kMostThinking);
+    handOverGain_ += gain;
+    sourceGain_ += entry.thoughtOf ? gain : 0.0;
+    entry.handedOver = times > 0.0;
 }
 
 /// Running a check ahead in this thread takes no longer than handing it out would.
@@ -445,7 +462,8 @@ void Broker::record(Completion& completion)
     secondsEver_ += completion.seconds;
     entry.seconds = static_cast<float>(completion.seconds);
     entry.foundIn = query_;
-    entry.elsewhere = !completion.here;
+    if (completion.here)
+        countGain(check, -1.0);
     if (completion.measured)
         costOf(check).add(completion.seconds);
     if (completion.error)
@@ -467,21 +485,16 @@ void Broker::record(Completion& completion)
     if (!entry.failed && !isUsed(entry))
     {
         ++statistics_.usedAfterWait;
-        noteUse(check, entry);
+        noteUse(entry);
     }
 }
 
-void Broker::noteUse(CheckId check, Entry& entry)
+void Broker::noteUse(Entry& entry)
 {
     entry.usedIn = query_;
     ++statistics_.checksUsed;
     statistics_.speculativeUsed += entry.speculative ? 1 : 0;
     statistics_.usedSeconds += static_cast<double>(entry.seconds);
-    if (!entry.elsewhere)
-        return;
-    const double gain = costOf(check).mean() - kHandOver / kMostThinking;
-    handOverGain_ += gain;
-    sourceGain_ += entry.thoughtOf ? gain : 0.0;
 }
 
 void Broker::rethrow(CheckId check)

@@ -111,6 +111,7 @@ private:
         return cost_[0].isCheap() && (cost_[1].isCheap() || cost_[1].knowsNothing());
     }
     void submit(CheckId check, Urgency urgency);
+    void countGain(CheckId check, double times);
     void runAheadHere(CheckId check, Entry& entry);
     void recordHere(CheckId check, Entry& entry);
     [[nodiscard]] bool sourcePays();
@@ -121,7 +122,7 @@ private:
     [[nodiscard]] std::optional<CheckId> submitMissing();
     void runOwn(CheckId check);
     void runAndTell(CheckId check);
-    void noteReady(CheckId check, Entry& entry);
+    void noteReady(Entry& entry);
     void feed();
     void askSource();
     void dropUnwanted();
@@ -129,7 +130,7 @@ private:
     void collect(std::chrono::milliseconds patience);
     void tellSource();
     void record(Completion& completion);
-    void noteUse(CheckId check, Entry& entry);
+    void noteUse(Entry& entry);
     [[nodiscard]] bool isUsed(const Entry& entry) const noexcept
     {
         return entry.usedIn == query_;
@@ -148,6 +149,7 @@ private:
     double handOverSeconds_ = 0.0;  ///< that handing over took lately, more than usual
     bool handOverIsDear_ = false;   ///< and that is why the source rests
     double secondsEver_ = 0.0;      ///< of all checks, in all queries
+    bool thought_ = false;          ///< what is handed out now the source had to think of
     double handOverGain_ = 0.0;     ///< seconds that other threads saved it lately, less what handing over costs
     double sourceGain_ = 0.0;       ///< the part of that for which the source had to think
     double sourcePaused_ = 0.0;     ///< time until which the source is not asked

@@ -20,7 +20,7 @@ public:
         Verdict verdict = Verdict::Unknown;
         bool speculative : 1 = false;  ///< was run ahead of demand
         bool thoughtOf : 1 = false;    ///< the source had to think to name it
-        bool elsewhere : 1 = false;    ///< another thread than the search's ran it
+        bool handedOver : 1 = false;   ///< to another thread, which runs it or has run it
         bool awaited : 1 = false;      ///< the search is waiting for it right now
         bool failed : 1 = false;       ///< the check threw; the verdict stays Unknown
         bool reported : 1 = false;     ///< what it threw has been passed on
