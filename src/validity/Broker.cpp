@@ -21,6 +21,8 @@ constexpr double kMostThinking = 0.8;
 constexpr double kMostSpike = 0.01;
 /// What it costs the search to hand a check to another thread and to take it back, at least.
 constexpr double kHandOver = 2e-6;
+/// What it costs to start a thread and to get it going, about. A check that takes longer is handed out all the same.
+constexpr double kStart = 250e-6;
 /// How long it rests if it was in vain, as a multiple of its thinking, and how much longer each further time.
 constexpr double kRest = 10.0;
 constexpr double kLongerRest = 2.0;
@@ -94,9 +96,9 @@ bool Broker::demandMissing(std::span<const CheckId> checks)
 bool Broker::shouldRunHere(CheckId check) const
 {
     const CostMeter& cost = cost_[check.isMotion() ? 1 : 0];
+    const bool warmsUp = secondsEver_ < warmUp_ && cost.mean() < kStart;
     return executor_.runsInline() ||
-           ((cost.isCheap() || cost.knowsNothing() || secondsEver_ < warmUp_ || workersRest()) &&
-            executor_.canRunHere());
+           ((cost.isCheap() || cost.knowsNothing() || warmsUp || workersRest()) && executor_.canRunHere());
 }
 
 /// Runs those missing checks in this thread for which that is the better way, and takes them off the list.

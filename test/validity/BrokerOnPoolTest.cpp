@@ -119,16 +119,25 @@ TEST_F(BrokerOnPool, TheSearchThreadKeepsOneCheckForItself)
     EXPECT_EQ(broker.statistics().usedAfterWait, 1U);
 }
 
-TEST_F(BrokerOnPool, NobodyElseIsStartedForTwoMillisecondsOfChecks)
+TEST_F(BrokerOnPool, NobodyElseIsStartedForFiveMillisecondsOfChecks)
 {
-    ofState = 100e-6;
-    for (std::uint32_t node = 0; node < 20; node += 2)
+    ofState = 200e-6;
+    for (std::uint32_t node = 0; node < 26; node += 2)
         demand({stateCheck(2 * node), stateCheck(2 * node + 2)});
-    EXPECT_EQ(broker.statistics().usedInline, 20U);
-    EXPECT_NEAR(broker.now(), 2e-3, 1e-9);
+    EXPECT_EQ(broker.statistics().usedInline, 26U);
+    EXPECT_NEAR(broker.now(), 5.2e-3, 1e-9);
     demand({stateCheck(100), stateCheck(102)});
-    EXPECT_EQ(broker.statistics().usedInline, 21U);
-    EXPECT_NEAR(broker.now(), 2.1e-3, 1e-9);
+    EXPECT_EQ(broker.statistics().usedInline, 27U);
+    EXPECT_NEAR(broker.now(), 5.4e-3, 1e-9);
+}
+
+TEST_F(BrokerOnPool, LongChecksAreHandedOutFromTheSecondOn)
+{
+    ofState = 400e-6;
+    demand({stateCheck(0)});
+    demand({stateCheck(2), stateCheck(4)});
+    EXPECT_EQ(broker.statistics().usedInline, 2U);
+    EXPECT_NEAR(broker.now(), 0.8e-3, 1e-9);
 }
 
 TEST_F(BrokerOnPool, WhatIsCheaperThanHandingOverRunsAheadHere)

@@ -41,8 +41,8 @@ public:
         barrier_ = barrier;
     }
 
-    /// As long as all checks together have taken no longer than this (seconds), other threads are left alone: starting
-    /// them takes as long.
+    /// As long as all checks together have taken no longer than this (seconds), other threads are left alone, unless a
+    /// single check takes longer than to start one.
     void setWarmUp(double seconds) noexcept
     {
         warmUp_ = seconds;
@@ -144,7 +144,7 @@ private:
     bool sourceBegins_ = false;   ///< the source has rested since it was last asked
     bool sawInvalid_ = false;     ///< since queued checks were last looked through
     double sourceSeconds_ = 0.0;  ///< spent on the source's proposals lately, executor's clock
-    double warmUp_ = 2e-3;
+    double warmUp_ = 5e-3;
     std::uint64_t submitted_ = 0;   ///< to other threads
     double handOverSeconds_ = 0.0;  ///< that handing over took lately, more than usual
     bool handOverIsDear_ = false;   ///< and that is why the source rests
