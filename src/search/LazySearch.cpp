@@ -221,6 +221,7 @@ void LazySearch::commit(CheckId check, bool valid)
 
 void LazySearch::note(CheckId check, bool valid)
 {
+    ++steps_;
     const auto mixIn = [this](NodeId node)
     { orderHash_ = util::mix(orderHash_, util::hashCoordinates(lattice_.coordinates(node))); };
     if (check.isMotion())

@@ -49,7 +49,7 @@ public:
     /// Whether the search has been at the node: has expanded it, or asked for its state if it expands on trust.
     [[nodiscard]] virtual bool isExpanded(NodeId node) const noexcept = 0;
 
-    /// Number of steps taken: of expansions, or of decisions what to check. The same whoever runs the checks.
+    /// Number of steps taken: of expansions, or of checks decided on. The same whoever runs the checks.
     [[nodiscard]] virtual std::uint64_t steps() const noexcept = 0;
 
     /// Hash of the sequence of steps: equal for equal sequences.

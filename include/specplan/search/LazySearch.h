@@ -116,9 +116,10 @@ public:
         return decisions_;
     }
 
+    /// Number of checks that decisions have asked for.
     [[nodiscard]] std::uint64_t steps() const noexcept override
     {
-        return decisions_;
+        return steps_;
     }
 
     /// Nodes expanded to keep the shortest path up to date, those of wrong guesses included: work, not progress.
@@ -207,6 +208,7 @@ private:
     std::deque<Guess> guesses_;     ///< in order of deciding; what is committed is off the list
     bool stuck_ = false;            ///< the last guess takes more work than a guess is worth
     std::uint64_t decisions_ = 0;
+    std::uint64_t steps_ = 0;
     std::uint64_t orderHash_ = 0;
     std::vector<NodeId> solution_;
     std::vector<double> solutionCosts_;  ///< parallel to solution_: cost from the start
