@@ -9,9 +9,9 @@
 #include "specplan/lattice/GridNeighbourhood.h"
 #include "specplan/search/AStar.h"
 #include "specplan/speculation/DirectionPolicy.h"
+#include "specplan/speculation/HedgedPolicy.h"
 #include "specplan/speculation/LearningPredictor.h"
 #include "specplan/speculation/NearbyPredictor.h"
-#include "specplan/speculation/RunAheadPolicy.h"
 #include "specplan/util/Hash.h"
 #include "specplan/validity/RunCheck.h"
 #include "specplan/validity/VirtualExecutor.h"
@@ -105,10 +105,10 @@ std::unique_ptr<speculation::Predictor> makePredictor(const std::string& name, l
 
 std::unique_ptr<speculation::Policy> makePolicy(const std::string& name, lattice::Lattice& lattice,
                                                 validity::Broker& broker, const search::AStar& search,
-                                                speculation::Predictor& predictor, double weight)
+                                                speculation::Predictor& predictor, double weight, unsigned workers)
 {
     if (name == "runahead")
-        return std::make_unique<speculation::RunAheadPolicy>(lattice, broker, search, predictor, weight);
+        return speculation::makeRunAhead(lattice, broker, search, predictor, weight, workers);
     if (name == "direction")
         return std::make_unique<speculation::DirectionPolicy>(lattice, broker, 4);
     return nullptr;
@@ -178,7 +178,8 @@ Outcome searchVirtually(const GridSearch& wanted)
     arena.broker.setBarrier(wanted.policy == "direction");
     search::AStar search(arena.lattice, arena.heuristic, arena.broker, wanted.weight);
     const auto predictor = makePredictor(wanted.predictor, arena.lattice);
-    const auto policy = makePolicy(wanted.policy, arena.lattice, arena.broker, search, *predictor, wanted.weight);
+    const auto policy =
+        makePolicy(wanted.policy, arena.lattice, arena.broker, search, *predictor, wanted.weight, wanted.workers);
     arena.broker.setSource(policy.get());
     search.setPolicy(policy.get());
     return arena.run(search);

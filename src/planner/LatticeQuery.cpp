@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "specplan/speculation/DirectionPolicy.h"
+#include "specplan/speculation/HedgedPolicy.h"
 #include "specplan/speculation/LearningPredictor.h"
 #include "specplan/speculation/NearbyPredictor.h"
-#include "specplan/speculation/RunAheadPolicy.h"
 
 namespace specplan::planner
 {
@@ -64,6 +64,7 @@ LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjec
         lattice_.setStepCost([this](NodeId from, NodeId to) { return motionCost(from, to); });
     checker.open(lattice_, embedding_, std::move(sources), costs_ && settings_.objectiveInChecks ? &*costs_ : nullptr);
     broker_.setBarrier(settings.barrier);
+    workers_ = executor.workers();
     speculates_ = !executor.runsInline();
 }
 
@@ -81,7 +82,7 @@ std::unique_ptr<speculation::Policy> LatticeQuery::makePolicy()
     if (speculates_ && settings_.speculationPolicy == "direction")
         return std::make_unique<speculation::DirectionPolicy>(lattice_, broker_, settings_.lookahead);
     if (speculates_ && settings_.speculationPolicy == "runahead")
-        return std::make_unique<speculation::RunAheadPolicy>(lattice_, broker_, *eager_, *predictor_, weight_);
+        return speculation::makeRunAhead(lattice_, broker_, *eager_, *predictor_, weight_, workers_);
     return nullptr;
 }
 

@@ -9,8 +9,8 @@
 #include "RandomProblem.h"
 #include "specplan/search/AStar.h"
 #include "specplan/speculation/DirectionPolicy.h"
+#include "specplan/speculation/HedgedPolicy.h"
 #include "specplan/speculation/LearningPredictor.h"
-#include "specplan/speculation/RunAheadPolicy.h"
 #include "specplan/validity/InlineExecutor.h"
 #include "specplan/validity/ThreadPoolExecutor.h"
 #include "specplan/validity/VirtualExecutor.h"
@@ -54,7 +54,7 @@ std::vector<Configuration> allConfigurations()
     for (const std::string kind : {"inline", "virtual", "threads"})
         for (const unsigned workers : {1U, 2U, 4U, 8U, 32U})
             for (const std::string policy :
-                 {"none", "direction", "direction with barrier", "runahead optimistic", "runahead"})
+                 {"none", "direction", "direction with barrier", "runahead optimistic", "runahead", "runahead hedged"})
             {
                 if (kind == "inline" && (workers > 1 || policy != "none"))
                     continue;
@@ -72,6 +72,8 @@ std::unique_ptr<speculation::Policy> makePolicy(const std::string& name, lattice
 {
     if (name == "none")
         return nullptr;
+    if (name == "runahead hedged")
+        return std::make_unique<speculation::HedgedPolicy>(lattice, broker, search, predictor, 1.0);
     if (name.starts_with("runahead"))
         return std::make_unique<speculation::RunAheadPolicy>(lattice, broker, search, predictor, 1.0);
     return std::make_unique<speculation::DirectionPolicy>(lattice, broker, name == "direction" ? 4 : 1);
@@ -102,7 +104,7 @@ void expectSameSearch(const RandomProblem& problem, const CellSolution& referenc
     speculation::OptimisticPredictor optimist;
     speculation::LearningPredictor learning(lattice);
     speculation::Predictor& predictor =
-        configuration.policy == "runahead" ? static_cast<speculation::Predictor&>(learning) : optimist;
+        configuration.policy == "runahead optimistic" ? static_cast<speculation::Predictor&>(optimist) : learning;
     const auto policy = makePolicy(configuration.policy, lattice, broker, search, predictor);
     broker.setSource(policy.get());
     search.setPolicy(policy.get());

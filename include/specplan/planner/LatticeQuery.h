@@ -194,6 +194,7 @@ private:
     validity::Broker broker_;
     std::unique_ptr<speculation::Predictor> predictor_;
     bool speculates_ = false;
+    unsigned workers_ = 1;
     GoalHeuristic heuristic_;
     ompl::base::GoalPtr goal_;
     bool region_ = false;
