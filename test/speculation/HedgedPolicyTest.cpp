@@ -16,7 +16,7 @@ using lattice::CheckId;
 using lattice::NodeId;
 using test::TextGrid;
 
-const std::vector<std::string> kOpen(9, "S.................G.");
+const std::vector<std::string> kEmptyRoom(9, "S.................G.");
 
 /// All but certain, except for one column.
 class DoubtsOneColumn : public OptimisticPredictor
@@ -48,13 +48,13 @@ std::ptrdiff_t proposedBehind(Policy& policy, const TextGrid& grid, std::size_t 
 
 TEST(HedgedPolicy, HalfOfWhatItProposesDoesNotRelyOnWhatIsDoubtful)
 {
-    TextGrid first(kOpen, 1);
+    TextGrid first(kEmptyRoom, 1);
     DoubtsOneColumn ofFirst(first);
     RunAheadPolicy one(first.lattice, first.broker, first.search, ofFirst, 1000.0);
     const std::ptrdiff_t alone = proposedBehind(one, first, 40);
     EXPECT_GT(alone, 20);
 
-    TextGrid second(kOpen, 1);
+    TextGrid second(kEmptyRoom, 1);
     DoubtsOneColumn ofSecond(second);
     HedgedPolicy two(second.lattice, second.broker, second.search, ofSecond, 1000.0);
     const std::ptrdiff_t hedged = proposedBehind(two, second, 40);
@@ -76,7 +76,7 @@ TEST(HedgedPolicy, IsForGreedySearchesWithManyWorkers)
 {
     for (const auto& [weight, workers, hedges] : {std::tuple{1.0, 128U, false}, {3.0, 8U, false}, {3.0, 9U, true}})
     {
-        TextGrid grid(kOpen, 1);
+        TextGrid grid(kEmptyRoom, 1);
         OptimisticPredictor optimist;
         const auto policy = makeRunAhead(grid.lattice, grid.broker, grid.search, optimist, weight, workers);
         EXPECT_EQ(dynamic_cast<HedgedPolicy*>(policy.get()) != nullptr, hedges) << weight << ' ' << workers;
