@@ -12,8 +12,8 @@ using validity::Verdict;
 
 namespace
 {
-/// Nodes expanded between two questions whether to stop.
-constexpr std::size_t kPortion = 4096;
+/// Nodes expanded between two questions whether to stop, and whether workers run dry.
+constexpr std::size_t kPortion = 256;
 
 /// Nodes that one guess may cost before it is left alone until it is known.
 constexpr std::size_t kMostForGuess = 20000;
@@ -22,8 +22,12 @@ constexpr std::size_t kMostForGuess = 20000;
 constexpr std::size_t kTogether = 64;
 constexpr std::size_t kLookedAt = 96;
 
-/// The same for what is handed out before the next decision.
-constexpr std::size_t kLookedAhead = 384;
+/// The same for states that turned doubtful after ways were built on them: mostly few of those are needed.
+constexpr std::size_t kSuspects = 4;
+
+/// The same for what is handed out ahead of decisions, and the part of it that counts as the front.
+constexpr std::size_t kLookedAhead = 4096;
+constexpr std::size_t kFront = 341;
 
 /// A check is guessed to be valid from this probability on: an obstacle goes on beside where it was met. A little less
 /// will do where the answer decides on one step, not on the way to the goal.
@@ -50,6 +54,8 @@ SearchStatus LazySearch::run(const std::function<bool()>& stop)
             switch (plan(kPortion))  // 1, 2: the best path, and what to check of it
             {
                 case Plan::Unfinished:
+                    lookedAhead_ = 0;
+                    broker_.feed();
                     continue;
                 case Plan::NoWay:
                     return SearchStatus::Infeasible;
@@ -77,7 +83,7 @@ LazySearch::Plan LazySearch::plan(std::size_t budget)
 {
     while (plan_ == Plan::Unfinished)
     {
-        if (chooseSuspect())
+        if (chooseSuspects())
             return plan_;
         const std::uint64_t before = tree_.expansions();
         if (const LazyTree::Repair state = pathHolds_ ? LazyTree::Repair::Done : tree_.repair(budget);
@@ -99,17 +105,22 @@ LazySearch::Plan LazySearch::plan(std::size_t budget)
     return plan_;
 }
 
-/// Of the nodes that turned doubtful while ways lead through them the one nearest to the start is asked for first: if
-/// it is invalid, others need not be asked for.
-bool LazySearch::chooseSuspect()
+/// Of the nodes that turned doubtful while ways lead through them those are asked for that no way leads to through
+/// another one: the others need not be asked for if that is invalid.
+bool LazySearch::chooseSuspects()
 {
     std::erase_if(suspects_, [this](NodeId node)
                   { return !tree_.isPassed(node) || tree_.verdict(CheckId::ofState(node)) != Verdict::Unknown; });
     if (suspects_.empty())
         return false;
-    next_.assign(1, CheckId::ofState(*std::ranges::min_element(
-                        suspects_, [this](NodeId a, NodeId b) { return tree_.comesBefore(a, b); })));
+    std::ranges::sort(suspects_, [this](NodeId a, NodeId b) { return tree_.comesBefore(a, b); });
+    suspects_.erase(std::ranges::unique(suspects_).begin(), suspects_.end());
+    next_.clear();
+    for (std::size_t i = 0; i < suspects_.size() && next_.size() < kSuspects; ++i)
+        if (!tree_.comesThrough(suspects_[i], std::span(suspects_).first(i)))
+            next_.push_back(CheckId::ofState(suspects_[i]));
     plan_ = Plan::Next;
+    lookedAhead_ = 0;
     return true;
 }
 
@@ -121,7 +132,7 @@ void LazySearch::demandDoubtful()
     for (const NodeId node : doubtful_)
         if (next_.size() < kTogether)
             next_.push_back(CheckId::ofState(node));
-    lookedAhead_ = false;
+    lookedAhead_ = 0;
     plan_ = Plan::Next;
 }
 
@@ -164,6 +175,7 @@ void LazySearch::choose()
             std::ranges::stable_sort(inOrder_, {}, [this](CheckId check) { return probabilityValid(check); });
             break;
     }
+    lookedAhead_ = 0;
     next_.clear();
     for (const CheckId check : inOrder_)  // a state may lie on the path and beside it
         if (next_.size() < kTogether && std::ranges::find(next_, check) == next_.end())
@@ -179,10 +191,10 @@ double LazySearch::probabilityValid(CheckId check) const
 /// Obstacles go on: what is passed beside an invalid state may have to be taken back as well.
 void LazySearch::suspectAround(NodeId node)
 {
-    lattice_.successors(node, successors_);
-    for (const lattice::Successors::Edge& edge : successors_.edges)
-        if (tree_.isPassed(edge.node) && predictor_.isDoubtful(edge.node))
-            suspects_.push_back(edge.node);
+    lattice_.neighbours(node, neighbours_);
+    for (const NodeId neighbour : neighbours_)
+        if (tree_.isPassed(neighbour) && predictor_.isDoubtful(neighbour))
+            suspects_.push_back(neighbour);
 }
 
 /// Draws the consequences of a verdict, real or guessed.
@@ -244,27 +256,41 @@ void LazySearch::addUnknown(CheckId check, std::size_t most, std::vector<CheckId
 /// What else there is to be asked for in the situation as it is. Much of it will be, whatever the next check tells.
 void LazySearch::proposeAtHand(std::size_t count, std::vector<CheckId>& out)
 {
-    if (!guesses_.empty() || plan(kPortion) != Plan::Next)
+    if (!guesses_.empty() || (!isAmidRepair() && plan(kMostForGuess) != Plan::Next))
         return;
     const std::size_t most = out.size() + count;
-    for (const CheckId check : next_)
-        addUnknown(check, most, out);
-    for (const NodeId suspect : suspects_)
-        addUnknown(CheckId::ofState(suspect), most, out);
-    if (pathHolds_)
-        for (const CheckId check : unknownStates_.empty() ? unknownMotions_ : unknownStates_)
-            addUnknown(check, most, out);
-    else if (suspects_.empty() && out.size() < most)
+    if (!isAmidRepair())
     {
-        if (!std::exchange(lookedAhead_, true))
-            tree_.doubtful(kLookedAhead, doubtful_);
-        for (const NodeId node : doubtful_)
-            addUnknown(CheckId::ofState(node), most, out);
+        for (const CheckId check : next_)
+            addUnknown(check, most, out);
+        for (const NodeId suspect : suspects_)
+            addUnknown(CheckId::ofState(suspect), most, out);
+        if (pathHolds_)
+            for (const CheckId check : unknownStates_.empty() ? unknownMotions_ : unknownStates_)
+                addUnknown(check, most, out);
+    }
+    lookAhead(most, out);
+}
+
+/// What is doubtful on OPEN, near its front and further back: it will be asked for sooner or later. The front is looked
+/// at anew for each decision, the rest goes round.
+void LazySearch::lookAhead(std::size_t most, std::vector<CheckId>& out)
+{
+    const std::span<const LazyTree::OpenEntry> open = tree_.open();
+    const std::size_t front = std::min(kFront, open.size());
+    const std::size_t rest = std::min(kLookedAhead, open.size()) - front;
+    for (; lookedAhead_ < front + std::min(kFront, rest) && out.size() < most; ++lookedAhead_)
+    {
+        const std::size_t place = lookedAhead_ < front ? lookedAhead_ : front + goneRound_++ % rest;
+        if (tree_.isDoubtful(open[place]))
+            addUnknown(CheckId::ofState(open[place].item), most, out);
     }
 }
 
 void LazySearch::propose(std::size_t count, std::vector<CheckId>& out)
 {
+    if (isAmidRepair())
+        return;
     const std::size_t most = out.size() + count;
     stuck_ = stuck_ && !guesses_.empty();
     for (std::size_t steps = 4 * count + 16; out.size() < most && steps > 0 && !stuck_; --steps)
@@ -386,7 +412,9 @@ void LazySearch::missed()
 
 bool LazySearch::stillWanted(CheckId check) const
 {
-    return std::ranges::find(guesses_, check, &Guess::check) != guesses_.end();
+    // What is doubtful is asked for sooner or later, whatever comes before it.
+    return (!check.isMotion() && predictor_.isDoubtful(check.node())) ||
+           std::ranges::find(guesses_, check, &Guess::check) != guesses_.end();
 }
 
 /// Keeps the path with its costs as the lattice has them, not rounded.

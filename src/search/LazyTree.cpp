@@ -117,13 +117,17 @@ LazyTree::Repair LazyTree::repair(std::size_t budget)
 void LazyTree::doubtful(std::size_t count, std::vector<NodeId>& out)
 {
     out.clear();
-    open_.visitFirst(
-        count,
-        [&](const util::OpenList::Entry& entry)
-        {
-            if (nodes_[entry.item].verdict == Verdict::Unknown && entry.key.f < kUnreached && doubt_(entry.item))
-                out.push_back(entry.item);
-        });
+    open_.visitFirst(count,
+                     [&](const OpenEntry& entry)
+                     {
+                         if (isDoubtful(entry))
+                             out.push_back(entry.item);
+                     });
+}
+
+bool LazyTree::isDoubtful(const OpenEntry& entry) const
+{
+    return nodes_[entry.item].verdict == Verdict::Unknown && entry.key.f < kUnreached && doubt_(entry.item);
 }
 
 /// A better way to the node was found: passes it on.
@@ -361,6 +365,22 @@ bool LazyTree::comesBefore(NodeId node, NodeId other) const
     const double otherG = nodes_[other].g;
     return g != otherG ? g < otherG
                        : std::ranges::lexicographical_compare(lattice_.coordinates(node), lattice_.coordinates(other));
+}
+
+bool LazyTree::comesThrough(NodeId node, std::span<const NodeId> others) const
+{
+    if (others.empty())
+        return false;
+    const double least = nodes_[others.front()].g;
+    while (!nodes_[node].start && nodes_[node].via != kNoEdge)
+    {
+        node = edges_[nodes_[node].via].from;
+        if (nodes_[node].g < least)
+            return false;
+        if (std::ranges::find(others, node) != others.end())
+            return true;
+    }
+    return false;
 }
 
 void LazyTree::enter(CheckId check, bool valid)

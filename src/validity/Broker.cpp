@@ -59,7 +59,7 @@ private:
     std::uint64_t submittedBefore_;
 };
 
-Broker::Broker(Executor& executor) : executor_(executor), sourceRest_(kRest)
+Broker::Broker(Executor& executor) : executor_(executor), leftAt_(executor.now()), sourceRest_(kRest)
 {
 }
 
@@ -76,8 +76,7 @@ bool Broker::demand(std::span<const CheckId> checks)
     }
     if (!missing_.empty())
         return demandMissing(checks);
-    if (source_ != nullptr && sourceListens_ && executor_.runsDry())
-        feed();
+    feed();
     return true;
 }
 
@@ -166,10 +165,12 @@ bool Broker::waitForMissing()
             for (const CheckId check : broker.missing_)
                 broker.table_[check].awaited = false;
             broker.awaited_ = 0;
-            broker.statistics_.waitSeconds += broker.executor_.now() - start;
+            broker.leftAt_ = broker.executor_.now();
+            broker.statistics_.waitSeconds += broker.leftAt_ - start;
         }
     };
     EndOfWait wait{*this};
+    executor_.searchThought(wait.start - leftAt_);
     sourceListens_ = !sourceRests();
     collect(std::chrono::milliseconds{0});
     wait.own = submitMissing();
@@ -262,12 +263,16 @@ void Broker::noteReady(Entry& entry)
     noteUse(entry);
 }
 
-/// Gives the workers more to do while the search has no need to wait.
 void Broker::feed()
 {
+    if (source_ == nullptr || !sourceListens_ || !executor_.runsDry())
+        return;
     collect(std::chrono::milliseconds{0});
-    if (source_->keepsAsking())
-        askSource();
+    if (!source_->keepsAsking())
+        return;
+    executor_.searchThought(executor_.now() - leftAt_);
+    askSource();
+    leftAt_ = executor_.now();
 }
 
 void Broker::askSource()

@@ -67,13 +67,10 @@ unsigned SimulatedPool::room() const noexcept
     return supply_.room(workers_, searchThreadWorks(), inHand(), queued);
 }
 
-/// Whether something has finished by now, and at least as many as are queued: each that finishes takes another one.
-bool SimulatedPool::runsDry() const noexcept
+bool SimulatedPool::runsDry()
 {
-    const double time = now();
-    const auto over = static_cast<std::size_t>(
-        std::ranges::count_if(running_, [time](const Running& running) { return running.end <= time; }));
-    return finished_.size() + over > 0 && over >= demanded_.size() + speculative_.size();
+    const Call call(*this);
+    return demanded_.empty() && speculative_.empty() && !finished_.empty();
 }
 
 void SimulatedPool::submit(CheckId check, Urgency urgency)

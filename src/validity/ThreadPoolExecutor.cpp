@@ -102,7 +102,7 @@ unsigned ThreadPoolExecutor::room() const noexcept
                         {queued_[0].load(std::memory_order_relaxed), queued_[1].load(std::memory_order_relaxed)});
 }
 
-bool ThreadPoolExecutor::runsDry() const noexcept
+bool ThreadPoolExecutor::runsDry()
 {
     return queued() == 0 && done_.load(std::memory_order_relaxed) > 0;
 }

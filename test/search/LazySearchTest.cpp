@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "Plane.h"
+#include "specplan/util/Hash.h"
 
 namespace specplan::test
 {
@@ -157,6 +158,63 @@ TEST(LazySearch, WhatIsAtHandIsUnknownAndWhatTheSearchAsksForNext)
     EXPECT_EQ(unnamed, first);
     EXPECT_GT(asked, 2 * first);
     EXPECT_LE(asked, named);
+}
+
+/// Answers for a field where every third state is invalid, without order.
+class FieldChecker : public validity::Checker
+{
+public:
+    explicit FieldChecker(const lattice::Lattice& lattice) : lattice_(lattice)
+    {
+    }
+
+    bool check(CheckId check, unsigned) override
+    {
+        return util::hashCoordinates(lattice_.coordinates(check.node())) % 3 != 0;
+    }
+
+private:
+    const lattice::Lattice& lattice_;
+};
+
+TEST(LazySearch, AtHandIsAlsoWhatIsDoubtfulFarBehindTheFrontOfOpen)
+{
+    lattice::GridSteps steps;
+    steps.cost = [](std::span<const Coordinate> offset) { return std::hypot(offset[0], offset[1], offset[2]); };
+    lattice::Lattice lattice(
+        std::make_unique<lattice::GridNeighbourhood>(lattice::GridBox{{0, 0, 0}, {199, 199, 199}}, steps));
+    lattice::GridHeuristic heuristic(lattice, {1.0, 1.0, 1.0}, 3);
+    heuristic.addGoal({{195.0, 100.0, 100.0}, {}});
+    FieldChecker checker(lattice);
+    validity::InlineExecutor executor(checker);
+    validity::Broker broker(executor);
+    search::LazySearch search(lattice, heuristic, broker);
+    const auto node = [&lattice](Coordinate x, Coordinate y, Coordinate z)
+    {
+        const Coordinate cell[] = {x, y, z};
+        return lattice.node(cell);
+    };
+    search.addStart(node(5, 100, 100));
+    search.addGoal(node(195, 100, 100));
+    const auto decide = [&search](int decisions)
+    { ASSERT_EQ(search.run([&] { return decisions-- == 0; }), SearchStatus::Stopped); };
+    const auto atHand = [&search]
+    {
+        constexpr std::size_t kAll = 100000;
+        std::vector<CheckId> named;
+        search.proposeAtHand(kAll, named);
+        return std::set<CheckId>(named.begin(), named.end());
+    };
+    decide(1000);
+    std::set<CheckId> named = atHand();
+    const std::size_t first = named.size();
+    EXPECT_GT(first, 100U);
+    for (int decisions = 0; decisions < 5; ++decisions)
+    {
+        decide(1);
+        named.merge(atHand());
+    }
+    EXPECT_GT(named.size(), first + 50) << "for each decision others, of those behind the front";
 }
 
 TEST(LazySearch, AnExceptionThatIsNeededSurfacesAfterTheSameDecisionsEverywhere)

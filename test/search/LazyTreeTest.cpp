@@ -212,6 +212,25 @@ TEST(LazyTree, NamesWhatIsDoubtfulOnOpenOnceAndBeginsWhereItStands)
     }
 }
 
+TEST(LazyTree, KnowsWhichNodesAWayLeadsThrough)
+{
+    Square square;
+    ASSERT_EQ(square.tree.repair(kAnyNumber), Repair::Done);
+    ASSERT_TRUE(square.tree.findPath(square.path));
+    std::vector<lattice::NodeId> way{square.tree.nearestGoal()};  // goal first
+    for (const LazyTree::EdgeId edge : square.path)
+        way.push_back(square.tree.from(edge));
+    const lattice::NodeId near = way[300];
+    const lattice::NodeId far = way[200];
+    const lattice::NodeId beside = square.node(100, 100);
+    EXPECT_TRUE(square.tree.comesThrough(far, std::vector{near}));
+    EXPECT_TRUE(square.tree.comesThrough(way.front(), std::vector{way.back(), far}));
+    EXPECT_FALSE(square.tree.comesThrough(near, std::vector{near, far})) << "not through itself";
+    EXPECT_FALSE(square.tree.comesThrough(way.front(), std::vector{beside}));
+    EXPECT_FALSE(square.tree.comesThrough(far, {}));
+    EXPECT_FALSE(square.tree.comesThrough(way.back(), std::vector{way.back()})) << "to the start there is no way";
+}
+
 TEST(LazyTree, WhatIsDoubtfulIsAskedForBeforeWaysAreBuiltOnIt)
 {
     Square square;

@@ -220,6 +220,44 @@ TEST_F(BrokerOnPool, WhatIsAtHandComesBeforeThinkingAndAlsoDuringRests)
     broker.settle();
 }
 
+TEST_F(BrokerOnPool, WhereTheSearchThinksForLongWorkersAreGivenMoreToDo)
+{
+    broker.setWarmUp(0.0);
+    ofMotion = 20e-6;
+    source.nextAtHand = 100000;
+    source.lastAtHand = 200000;
+    broker.setSource(&source);
+    for (std::uint32_t motion = 0; motion < 1000; ++motion)
+    {
+        demand({motionCheck(motion)});
+        work += 300e-6;
+    }
+    EXPECT_GT(broker.statistics().checksRun, 1000U * 14U) << "the worker has 15 a time";
+    broker.settle();
+}
+
+TEST_F(BrokerOnPool, AFeedInTheMidstOfALongThoughtKeepsWorkersGoing)
+{
+    broker.setWarmUp(0.0);
+    source.nextAtHand = 100000;
+    source.lastAtHand = 200000;
+    demand({motionCheck(0)});
+    broker.feed();
+    EXPECT_EQ(broker.statistics().speculativeChecks, 0U) << "there is no source";
+    broker.setSource(&source);
+    demand({motionCheck(1), motionCheck(2)});
+    const std::uint64_t before = broker.statistics().speculativeChecks;
+    broker.feed();
+    EXPECT_EQ(broker.statistics().speculativeChecks, before) << "nobody has run dry";
+    for (int portions = 0; portions < 10; ++portions)
+    {
+        work += 20e-3;
+        broker.feed();
+    }
+    EXPECT_GE(broker.statistics().speculativeChecks, before + 20U);
+    broker.settle();
+}
+
 TEST_F(BrokerOnPool, ASourceThatPaysNeverRests)
 {
     broker.setWarmUp(0.0);

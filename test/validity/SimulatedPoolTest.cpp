@@ -186,6 +186,24 @@ TEST(Supply, LastsUntilTheSearchThreadIsBack)
     EXPECT_EQ(mixed.room(4, true, 8, {0, 4}), 0U);
 }
 
+TEST(Supply, LastsAsLongAsTheSearchUsuallyThinks)
+{
+    Supply supply;
+    for (std::uint32_t i = 0; i < 1000; ++i)
+        supply.learn(stateCheck(i), 20e-6);
+    EXPECT_EQ(supply.room(2, true, 0, {0, 0}), 6U);
+    for (int i = 0; i < 1000; ++i)
+        supply.learnThought(i % 10 == 0 ? 200e-6 : 0.0);
+    EXPECT_NEAR(supply.room(2, true, 0, {0, 0}), 10U, 3U) << "long thoughts count for more, but not for all";
+    for (int i = 0; i < 1000; ++i)
+        supply.learnThought(205e-6);
+    EXPECT_EQ(supply.room(2, true, 0, {0, 0}), 22U);
+    EXPECT_EQ(supply.room(2, true, 20, {18, 0}), 2U);
+    for (int i = 0; i < 1000; ++i)
+        supply.learnThought(1.0);
+    EXPECT_EQ(supply.room(2, true, 0, {0, 0}), 48U);
+}
+
 TEST(Supply, LetsNoWorkerGoWithout)
 {
     Supply supply;

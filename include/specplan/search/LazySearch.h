@@ -171,7 +171,7 @@ private:
     };
 
     [[nodiscard]] Plan plan(std::size_t budget);
-    [[nodiscard]] bool chooseSuspect();
+    [[nodiscard]] bool chooseSuspects();
     void demandDoubtful();
     void readPath();
     void choose();
@@ -182,6 +182,11 @@ private:
     void finish();
 
     // Running ahead.
+    [[nodiscard]] bool isAmidRepair() const noexcept
+    {
+        return demanded_.empty();
+    }
+    void lookAhead(std::size_t most, std::vector<CheckId>& out);
     void addUnknown(CheckId check, std::size_t most, std::vector<CheckId>& out) const;
     [[nodiscard]] bool isLikely(CheckId check) const;
     void guess(std::span<const Foreseen> decision);
@@ -213,9 +218,11 @@ private:
     std::vector<NodeId> solution_;
     std::vector<double> solutionCosts_;  ///< parallel to solution_: cost from the start
     lattice::Successors successors_;     ///< scratch
-    std::vector<CheckId> demanded_;      ///< scratch of run()
+    std::vector<NodeId> neighbours_;     ///< scratch of suspectAround()
+    std::vector<CheckId> demanded_;      ///< by the last decision; empty while the next one is sought
     std::vector<NodeId> doubtful_;       ///< where the repair stands
-    bool lookedAhead_ = false;           ///< doubtful_ goes beyond next_
+    std::size_t lookedAhead_ = 0;        ///< number of entries of OPEN looked at since the last decision
+    std::size_t goneRound_ = 0;          ///< the same of those behind its front, since ever
     std::vector<Foreseen> guessed_;      ///< scratch of propose()
     std::vector<CheckId> inner_;         ///< scratch of readPath()
     std::vector<CheckId> inOrder_;       ///< scratch of choose()

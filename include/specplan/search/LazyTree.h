@@ -39,6 +39,7 @@ class LazyTree
 {
 public:
     using EdgeId = std::uint32_t;
+    using OpenEntry = util::OpenList::Entry;
     static constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
     /// A node's values before a change.
@@ -79,6 +80,15 @@ public:
     /// order. \param count number of entries of OPEN to look at.
     void doubtful(std::size_t count, std::vector<NodeId>& out);
 
+    /// All entries of OPEN, only roughly in order.
+    [[nodiscard]] std::span<const OpenEntry> open() const noexcept
+    {
+        return open_.entries();
+    }
+
+    /// Whether the node's state has to be checked when its turn comes.
+    [[nodiscard]] bool isDoubtful(const OpenEntry& entry) const;
+
     /// Whether ways to other nodes may lead through this one.
     [[nodiscard]] bool isPassed(NodeId node) const noexcept
     {
@@ -87,6 +97,9 @@ public:
 
     /// Whether a passed node is nearer to the start than another one. Never true for both orders.
     [[nodiscard]] bool comesBefore(NodeId node, NodeId other) const;
+
+    /// Whether the way to a passed node leads through one of these, which come before it, the nearest first.
+    [[nodiscard]] bool comesThrough(NodeId node, std::span<const NodeId> others) const;
 
     /// After repair(): the motions of the shortest path, last one first.
     /// \return false if a motion turned out to be closed by what lies beside it: repair again.

@@ -60,6 +60,10 @@ public:
     /// check again.
     [[nodiscard]] bool demand(std::span<const CheckId> checks);
 
+    /// Gives the workers more to do if they run dry, while the search has no need to wait. Costs next to nothing if
+    /// they do not. `demand` does the same when all is known.
+    void feed();
+
     /// Hands a check out ahead of demand.
     /// \return false if it is known, in flight, failed, or the executor runs inline.
     bool prefetch(CheckId check);
@@ -123,7 +127,6 @@ private:
     void runOwn(CheckId check);
     void runAndTell(CheckId check);
     void noteReady(Entry& entry);
-    void feed();
     void askSource();
     void dropUnwanted();
     void drop(std::span<const CheckId> checks);
@@ -148,6 +151,7 @@ private:
     std::uint64_t submitted_ = 0;   ///< to other threads
     double handOverSeconds_ = 0.0;  ///< that handing over took lately, more than usual
     bool handOverIsDear_ = false;   ///< and that is why the source rests
+    double leftAt_;                 ///< time at which the search was last given a chance to hand out
     double secondsEver_ = 0.0;      ///< of all checks, in all queries
     bool thought_ = false;          ///< what is handed out now the source had to think of
     double handOverGain_ = 0.0;     ///< seconds that other threads saved it lately, less what handing over costs

@@ -55,12 +55,17 @@ public:
     /// Workers that would start a check at once.
     [[nodiscard]] virtual unsigned freeWorkers() const noexcept = 0;
 
+    /// The search has not been waiting for so many seconds: for as long `room` should last.
+    virtual void searchThought(double)
+    {
+    }
+
     /// How many more checks it makes sense to submit: free workers, and a small supply so that none of them runs dry.
     [[nodiscard]] virtual unsigned room() const noexcept = 0;
 
     /// Whether workers have nothing left to begin, or `room` has grown so much that it is time to fill it. Cheap: asked
     /// often.
-    [[nodiscard]] virtual bool runsDry() const noexcept = 0;
+    [[nodiscard]] virtual bool runsDry() = 0;
 
     /// Whether checks are queued, running, or finished and not collected.
     [[nodiscard]] virtual bool busy() const noexcept = 0;

@@ -49,7 +49,7 @@ public:
         return 0;
     }
 
-    [[nodiscard]] bool runsDry() const noexcept override
+    [[nodiscard]] bool runsDry() override
     {
         return false;
     }

@@ -68,11 +68,16 @@ public:
     [[nodiscard]] Completion runHere(CheckId check) override;
     [[nodiscard]] unsigned freeWorkers() const noexcept override;
     [[nodiscard]] unsigned room() const noexcept override;
-    [[nodiscard]] bool runsDry() const noexcept override;
+    [[nodiscard]] bool runsDry() override;
 
     [[nodiscard]] bool busy() const noexcept override
     {
         return inHand() > 0;
+    }
+
+    void searchThought(double seconds) override
+    {
+        supply_.learnThought(seconds);
     }
 
     void submit(CheckId check, Urgency urgency) override;

@@ -29,6 +29,12 @@ public:
         all_.add(seconds);
     }
 
+    /// How long the search was away, thinking.
+    void learnThought(double seconds) noexcept
+    {
+        thoughts_.add(seconds);
+    }
+
     /// How many more checks to hand out: one for each worker that has none, and so many more that none runs dry until
     /// the search comes back, who is away for a check if it runs some itself, and else for a thought.
     [[nodiscard]] unsigned room(unsigned workers, bool searchThreadWorks, std::size_t inHand,
@@ -39,7 +45,7 @@ public:
         if (!all_.known() || inHand >= most)
             return static_cast<unsigned>(free);
         const double away = searchThreadWorks ? std::max(durations_[0].typical(), durations_[1].typical()) : 0.0;
-        const double thought = std::min(kThoughtSeconds, kMostThoughts * all_.mean());
+        const double thought = std::max(std::min(kThoughtSeconds, kMostThoughts * all_.mean()), thoughts_.typical());
         const std::size_t running = inHand - std::min(inHand, queued[0] + queued[1]);
         const auto idle = static_cast<double>(workers - std::min<std::size_t>(running, workers));  // take one at once
         const double missing = workers * std::max(away, thought) + idle * all_.mean() - expected(queued);
@@ -49,7 +55,7 @@ public:
     }
 
 private:
-    /// The time that the search may take until it hands out more.
+    /// The time that the search may take until it hands out more, at least.
     static constexpr double kThoughtSeconds = 40e-6;
     static constexpr double kMostThoughts = 4.0;
     static constexpr std::size_t kMostPerWorker = 24;
@@ -104,5 +110,6 @@ private:
 
     std::array<Durations, 2> durations_;  ///< of states, of motions
     Durations all_;
+    Durations thoughts_;
 };
 }  // namespace specplan::validity

@@ -59,11 +59,16 @@ public:
     }
 
     [[nodiscard]] unsigned room() const noexcept override;
-    [[nodiscard]] bool runsDry() const noexcept override;
+    [[nodiscard]] bool runsDry() override;
 
     [[nodiscard]] bool busy() const noexcept override
     {
         return inHand_ > 0;
+    }
+
+    void searchThought(double seconds) override
+    {
+        supply_.learnThought(seconds);
     }
 
     void submit(CheckId check, Urgency urgency) override;

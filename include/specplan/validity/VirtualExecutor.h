@@ -56,7 +56,7 @@ public:
     }
 
     /// Time stands still while the search works.
-    [[nodiscard]] bool runsDry() const noexcept override
+    [[nodiscard]] bool runsDry() override
     {
         return false;
     }
