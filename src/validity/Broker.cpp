@@ -170,7 +170,7 @@ bool Broker::waitForMissing()
         }
     };
     EndOfWait wait{*this};
-    executor_.searchThought(wait.start - leftAt_);
+    noteThought();
     sourceListens_ = !sourceRests();
     collect(std::chrono::milliseconds{0});
     wait.own = submitMissing();
@@ -265,14 +265,21 @@ void Broker::noteReady(Entry& entry)
 
 void Broker::feed()
 {
+    ++chances_;
     if (source_ == nullptr || !sourceListens_ || !executor_.runsDry())
         return;
     collect(std::chrono::milliseconds{0});
     if (!source_->keepsAsking())
         return;
-    executor_.searchThought(executor_.now() - leftAt_);
+    noteThought();
     askSource();
     leftAt_ = executor_.now();
+}
+
+/// How long the search thinks between two chances to hand out checks, whether or not it took them.
+void Broker::noteThought()
+{
+    executor_.searchThought((executor_.now() - leftAt_) / static_cast<double>(std::exchange(chances_, 0) + 1));
 }
 
 void Broker::askSource()

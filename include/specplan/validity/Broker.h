@@ -128,6 +128,7 @@ private:
     void runAndTell(CheckId check);
     void noteReady(Entry& entry);
     void askSource();
+    void noteThought();
     void dropUnwanted();
     void drop(std::span<const CheckId> checks);
     void collect(std::chrono::milliseconds patience);
@@ -151,7 +152,8 @@ private:
     std::uint64_t submitted_ = 0;   ///< to other threads
     double handOverSeconds_ = 0.0;  ///< that handing over took lately, more than usual
     bool handOverIsDear_ = false;   ///< and that is why the source rests
-    double leftAt_;                 ///< time at which the search was last given a chance to hand out
+    double leftAt_;                 ///< time at which the search last had checks handed out
+    unsigned chances_ = 0;          ///< how often it could have since
     double secondsEver_ = 0.0;      ///< of all checks, in all queries
     bool thought_ = false;          ///< what is handed out now the source had to think of
     double handOverGain_ = 0.0;     ///< seconds that other threads saved it lately, less what handing over costs
