@@ -13,20 +13,8 @@ namespace
 {
 /// How long a wait may last before the interrupt is asked again.
 constexpr std::chrono::milliseconds kPatience{50};
-/// Seconds of thinking after which the source is judged.
-constexpr double kTrial = 0.002;
-/// The source may take this much time, handing over included, for a second of checks that it hands out, and for a
-/// second of all checks so far: now and then it has to think for long, to grow or to begin anew.
-constexpr double kMostThinking = 0.8;
-constexpr double kMostSpike = 0.01;
-/// What it costs the search to hand a check to another thread and to take it back, at least.
-constexpr double kHandOver = 2e-6;
 /// What it costs to start a thread and to get it going, about. A check that takes longer is handed out all the same.
 constexpr double kStart = 250e-6;
-/// How long it rests if it was in vain, as a multiple of its thinking, and how much longer each further time.
-constexpr double kRest = 10.0;
-constexpr double kLongerRest = 2.0;
-constexpr double kMostRest = 1000.0;
 }  // namespace
 
 /// Notes by how much handing checks over takes longer than usual. The first ones start threads: they do not count.
@@ -46,7 +34,8 @@ public:
         const auto count = static_cast<double>(broker_.submitted_ - submittedBefore_);
         const double ranHere = broker_.statistics_.runSeconds - ranBefore_;
         if (submittedBefore_ >= broker_.executor_.workers() && count > 0.0)
-            broker_.handOverSeconds_ += std::max(broker_.executor_.now() - start_ - ranHere - count * kHandOver, 0.0);
+            broker_.accounts_.addHandOver(
+                std::max(broker_.executor_.now() - start_ - ranHere - count * SpeculationAccounts::kHandOver, 0.0));
     }
 
     HandOverTimer(const HandOverTimer&) = delete;
@@ -59,7 +48,7 @@ private:
     std::uint64_t submittedBefore_;
 };
 
-Broker::Broker(Executor& executor) : executor_(executor), leftAt_(executor.now()), sourceRest_(kRest)
+Broker::Broker(Executor& executor) : executor_(executor), accounts_(executor), leftAt_(executor.now())
 {
 }
 
@@ -97,7 +86,7 @@ bool Broker::shouldRunHere(CheckId check) const
     const CostMeter& cost = cost_[check.isMotion() ? 1 : 0];
     const bool warmsUp = secondsEver_ < warmUp_ && cost.mean() < kStart;
     return executor_.runsInline() ||
-           ((cost.isCheap() || cost.knowsNothing() || warmsUp || workersRest()) && executor_.canRunHere());
+           ((cost.isCheap() || cost.knowsNothing() || warmsUp || accounts_.workersRest()) && executor_.canRunHere());
 }
 
 /// Runs those missing checks in this thread for which that is the better way, and takes them off the list.
@@ -171,7 +160,7 @@ bool Broker::waitForMissing()
     };
     EndOfWait wait{*this};
     noteThought();
-    sourceListens_ = !sourceRests();
+    sourceListens_ = !accounts_.sourceRests();
     collect(std::chrono::milliseconds{0});
     wait.own = submitMissing();
     if (awaited_ > 0 || wait.own)
@@ -290,19 +279,18 @@ void Broker::askSource()
     unsigned room = source_->keepsAsking() ? executor_.room() : executor_.freeWorkers();
     if (room == 0)
         return;
-    const bool pays = sourcePays();
-    if (workersRest())
+    settleAccounts();
+    if (accounts_.workersRest())
         return;
     proposals_.clear();
     source_->proposeAtHand(room, proposals_);
     room -= handOut();
-    if (room == 0 || !pays)
+    if (room == 0 || accounts_.sourceRests())
         return;
     proposals_.clear();
     const double start = executor_.now();
     source_->propose(room, proposals_);
-    if (!std::exchange(sourceBegins_, false))  // to begin anew after a rest takes long, and says nothing
-        sourceSeconds_ += executor_.now() - start;
+    accounts_.addThought(executor_.now() - start);
     thought_ = true;
     handOut();
     thought_ = false;
@@ -318,45 +306,13 @@ unsigned Broker::handOut()
     return count;
 }
 
-/// Whether the source is worth its time: it must not take the search longer to find checks than to run them. If it is
-/// not it gets a rest, longer each time. (On a virtual clock thinking takes no time.)
-bool Broker::sourcePays()
+/// Gives running ahead a rest where it does not pay.
+void Broker::settleAccounts()
 {
-    const double spent = sourceSeconds_ + handOverSeconds_;
-    const double inVain = std::max(sourceSeconds_ - kMostThinking * sourceGain_, spent - kMostThinking * handOverGain_);
-    const bool pays = spent > kTrial && inVain <= 0.0;
-    const bool tooMuch = spent > kTrial && inVain > kMostSpike * statistics_.runSeconds;
-    if (tooMuch)
-    {
-        sourcePaused_ = executor_.now() + sourceRest_ * spent;
-        handOverIsDear_ = handOverSeconds_ > kMostThinking * handOverGain_;
-        sourceRest_ = std::min(sourceRest_ * kLongerRest, kMostRest);
-        source_->missed();
-        sourceListens_ = false;
-        sourceBegins_ = true;
-    }
-    else if (pays)
-        sourceRest_ = kRest;
-    if (tooMuch || pays)
-    {
-        sourceSeconds_ = 0.0;
-        handOverSeconds_ = 0.0;
-        sourceGain_ = 0.0;
-        handOverGain_ = 0.0;
-    }
-    return !sourceRests();
-}
-
-/// On a busy machine a thread that is woken may take the search's own processor, and handing over comes to cost more
-/// than to check: then nobody is woken for as long as the source rests.
-bool Broker::workersRest() const noexcept
-{
-    return handOverIsDear_ && sourceRests();
-}
-
-bool Broker::sourceRests() const noexcept
-{
-    return sourcePaused_ != 0.0 && executor_.now() < sourcePaused_;
+    if (!accounts_.settle(statistics_.runSeconds))
+        return;
+    source_->missed();
+    sourceListens_ = false;
 }
 
 /// Takes back queued checks that have lost their point.
@@ -390,7 +346,7 @@ bool Broker::prefetch(CheckId check)
         return false;
     if (allCheap() && executor_.canRunHere())
         return false;  // the search will run it faster itself
-    if (executor_.worksHere() && costOf(check).mean() < kHandOver && !costOf(check).knowsNothing())
+    if (executor_.worksHere() && costOf(check).mean() < SpeculationAccounts::kHandOver && !costOf(check).knowsNothing())
     {
         runAheadHere(check, entry);
         return true;
@@ -418,9 +374,7 @@ void Broker::countGain(CheckId check, double times)
     Entry& entry = table_[check];
     if (!entry.handedOver)
         return;
-    const double gain = times * (costOf(check).mean() - kHandOver / kMostThinking);
-    handOverGain_ += gain;
-    sourceGain_ += entry.thoughtOf ? gain : 0.0;
+    accounts_.addGain(costOf(check).mean(), entry.thoughtOf, times);
     entry.handedOver = times > 0.0;
 }
 

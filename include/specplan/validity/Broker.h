@@ -13,6 +13,7 @@
 #include "specplan/validity/CheckStatistics.h"
 #include "specplan/validity/CostMeter.h"
 #include "specplan/validity/Executor.h"
+#include "specplan/validity/SpeculationAccounts.h"
 #include "specplan/validity/VerdictTable.h"
 
 namespace specplan::validity
@@ -118,9 +119,7 @@ private:
     void countGain(CheckId check, double times);
     void runAheadHere(CheckId check, Entry& entry);
     void recordHere(CheckId check, Entry& entry);
-    [[nodiscard]] bool sourcePays();
-    [[nodiscard]] bool sourceRests() const noexcept;
-    [[nodiscard]] bool workersRest() const noexcept;
+    void settleAccounts();
     unsigned handOut();
     [[nodiscard]] bool waitForMissing();
     [[nodiscard]] std::optional<CheckId> submitMissing();
@@ -142,24 +141,17 @@ private:
     [[noreturn]] void rethrow(CheckId check);
 
     Executor& executor_;
+    SpeculationAccounts accounts_;
     CheckSource* source_ = nullptr;
     bool barrier_ = false;
-    bool sourceListens_ = true;   ///< the source has been told every verdict
-    bool sourceBegins_ = false;   ///< the source has rested since it was last asked
-    bool sawInvalid_ = false;     ///< since queued checks were last looked through
-    double sourceSeconds_ = 0.0;  ///< spent on the source's proposals lately, executor's clock
+    bool sourceListens_ = true;  ///< the source has been told every verdict
+    bool sawInvalid_ = false;    ///< since queued checks were last looked through
     double warmUp_ = 5e-3;
-    std::uint64_t submitted_ = 0;   ///< to other threads
-    double handOverSeconds_ = 0.0;  ///< that handing over took lately, more than usual
-    bool handOverIsDear_ = false;   ///< and that is why the source rests
-    double leftAt_;                 ///< time at which the search last had checks handed out
-    unsigned chances_ = 0;          ///< how often it could have since
-    double secondsEver_ = 0.0;      ///< of all checks, in all queries
-    bool thought_ = false;          ///< what is handed out now the source had to think of
-    double handOverGain_ = 0.0;     ///< seconds that other threads saved it lately, less what handing over costs
-    double sourceGain_ = 0.0;       ///< the part of that for which the source had to think
-    double sourcePaused_ = 0.0;     ///< time until which the source is not asked
-    double sourceRest_;             ///< how long it rests next time, as a multiple of its thinking
+    std::uint64_t submitted_ = 0;  ///< to other threads
+    double leftAt_;                ///< time at which the search last had checks handed out
+    unsigned chances_ = 0;         ///< how often it could have since
+    double secondsEver_ = 0.0;     ///< of all checks, in all queries
+    bool thought_ = false;         ///< what is handed out now the source had to think of
     std::function<bool()> interrupt_;
     VerdictTable table_;
     std::uint16_t query_ = 1;
