@@ -64,7 +64,7 @@ def print_table(rows):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--command", default="build/release/apps/specplan/specplan")
-    parser.add_argument("--planners", default="RRTConnect,RRTstar,InformedRRTstar,BITstar,ABITstar,LazyPRMstar,SpeculativeAStar:name=eager,SpeculativeAStar:evaluation=lazy;num_threads=1;name=lazy")
+    parser.add_argument("--planners", default="RRTConnect,RRTstar,InformedRRTstar,BITstar,ABITstar,LazyPRMstar,SpeculativeAStar:name=eager,SpeculativeAStar:evaluation=lazy;name=lazy")
     parser.add_argument("--resolutions", default="0.01,0.001")
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--time-limit", help="of each run, such as 10s [the problem's]")
