@@ -202,6 +202,7 @@ TEST(Supply, LastsAsLongAsTheSearchUsuallyThinks)
     for (int i = 0; i < 1000; ++i)
         supply.learnThought(1.0);
     EXPECT_EQ(supply.room(2, true, 0, {0, 0}), 48U);
+    EXPECT_EQ(supply.room(16, false, 0, {0, 0}), 48U) << "with many workers something comes back all the time";
 }
 
 TEST(Supply, LetsNoWorkerGoWithout)

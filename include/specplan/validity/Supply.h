@@ -36,7 +36,8 @@ public:
     }
 
     /// How many more checks to hand out: one for each worker that has none, and so many more that none runs dry until
-    /// the search comes back, who is away for a check if it runs some itself, and else for a thought.
+    /// the search comes back. Where it runs checks itself it is away for one of these, or for as long as it usually
+    /// thinks; with many workers it comes back all the time.
     [[nodiscard]] unsigned room(unsigned workers, bool searchThreadWorks, std::size_t inHand,
                                 const CountByKind& queued) const noexcept
     {
@@ -45,7 +46,8 @@ public:
         if (!all_.known() || inHand >= most)
             return static_cast<unsigned>(free);
         const double away = searchThreadWorks ? std::max(durations_[0].typical(), durations_[1].typical()) : 0.0;
-        const double thought = std::max(std::min(kThoughtSeconds, kMostThoughts * all_.mean()), thoughts_.typical());
+        const double least = std::min(kThoughtSeconds, kMostThoughts * all_.mean());
+        const double thought = searchThreadWorks ? std::max(least, thoughts_.typical()) : least;
         const std::size_t running = inHand - std::min(inHand, queued[0] + queued[1]);
         const auto idle = static_cast<double>(workers - std::min<std::size_t>(running, workers));  // take one at once
         const double missing = workers * std::max(away, thought) + idle * all_.mean() - expected(queued);
