@@ -48,7 +48,7 @@ private:
     std::uint64_t submittedBefore_;
 };
 
-Broker::Broker(Executor& executor) : executor_(executor), accounts_(executor), leftAt_(executor.now())
+Broker::Broker(Executor& executor) : executor_(executor), accounts_(executor)
 {
 }
 
@@ -154,8 +154,9 @@ bool Broker::waitForMissing()
             for (const CheckId check : broker.missing_)
                 broker.table_[check].awaited = false;
             broker.awaited_ = 0;
-            broker.leftAt_ = broker.executor_.now();
-            broker.statistics_.waitSeconds += broker.leftAt_ - start;
+            const double end = broker.executor_.now();
+            broker.leftAt_ = end;
+            broker.statistics_.waitSeconds += end - start;
         }
     };
     EndOfWait wait{*this};
@@ -268,7 +269,9 @@ void Broker::feed()
 /// How long the search thinks between two chances to hand out checks, whether or not it took them.
 void Broker::noteThought()
 {
-    executor_.searchThought((executor_.now() - leftAt_) / static_cast<double>(std::exchange(chances_, 0) + 1));
+    const unsigned chances = std::exchange(chances_, 0) + 1;
+    if (leftAt_)
+        executor_.searchThought((executor_.now() - *leftAt_) / chances);
 }
 
 void Broker::askSource()
@@ -513,5 +516,6 @@ void Broker::settle()
     for (const auto& [check, error] : errors_)
         table_[check] = Entry{};
     errors_.clear();
+    leftAt_.reset();
 }
 }  // namespace specplan::validity

@@ -236,6 +236,23 @@ TEST_F(BrokerOnPool, WhereTheSearchThinksForLongWorkersAreGivenMoreToDo)
     broker.settle();
 }
 
+TEST_F(BrokerOnPool, WhatPassesBetweenTwoSearchesIsNoThought)
+{
+    broker.setWarmUp(0.0);
+    ofMotion = 20e-6;
+    demand({motionCheck(0)});
+    demand({motionCheck(1), motionCheck(2)});
+    const unsigned room = pool.room();
+    EXPECT_LT(room, 10U);
+    broker.settle();
+    work += 1000.0;
+    demand({motionCheck(3), motionCheck(4)});
+    EXPECT_EQ(pool.room(), room);
+    work += 1.0;
+    demand({motionCheck(5), motionCheck(6)});
+    EXPECT_EQ(pool.room(), 48U) << "that was a thought";
+}
+
 TEST_F(BrokerOnPool, AFeedInTheMidstOfALongThoughtKeepsWorkersGoing)
 {
     broker.setWarmUp(0.0);

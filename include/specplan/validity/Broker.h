@@ -147,11 +147,11 @@ private:
     bool sourceListens_ = true;  ///< the source has been told every verdict
     bool sawInvalid_ = false;    ///< since queued checks were last looked through
     double warmUp_ = 5e-3;
-    std::uint64_t submitted_ = 0;  ///< to other threads
-    double leftAt_;                ///< time at which the search last had checks handed out
-    unsigned chances_ = 0;         ///< how often it could have since
-    double secondsEver_ = 0.0;     ///< of all checks, in all queries
-    bool thought_ = false;         ///< what is handed out now the source had to think of
+    std::uint64_t submitted_ = 0;   ///< to other threads
+    std::optional<double> leftAt_;  ///< time at which the search last had checks handed out; none between searches
+    unsigned chances_ = 0;          ///< how often it could have since
+    double secondsEver_ = 0.0;      ///< of all checks, in all queries
+    bool thought_ = false;          ///< what is handed out now the source had to think of
     std::function<bool()> interrupt_;
     VerdictTable table_;
     std::uint16_t query_ = 1;
