@@ -25,8 +25,11 @@ void writeChecks(std::ostream& out, const Run& run)
     run.planner->visitChecks(
         [&](const SpeculativeAStar::CheckRun& check)
         {
-            out << (check.to == nullptr ? "state" : "motion") << ',' << check.valid << ',' << check.used << ','
-                << check.start << ',' << check.seconds << ',' << check.worker << ',';
+            out << (check.to == nullptr ? "state"
+                    : check.glance      ? "glance"
+                                        : "motion")
+                << ',' << check.valid << ',' << check.used << ',' << check.start << ',' << check.seconds << ','
+                << check.worker << ',';
             writeState(check.from);
             out << ',';
             if (check.to != nullptr)

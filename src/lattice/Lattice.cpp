@@ -81,16 +81,31 @@ MotionId Lattice::motionsOf(NodeId node)
         tables_.firstMotion.resize(std::max<std::size_t>(nodes_.size(), tables_.firstMotion.size() * 2), kNoMotion);
     if (tables_.firstMotion[node] == kNoMotion)
     {
-        if (motions_.size() + neighbourhood_->maxSteps() >= kMaxMotions)
+        const std::size_t width = std::size_t{neighbourhood_->maxSteps()} * (glances_ ? 2 : 1);
+        if (motions_.size() + width >= kMaxMotions)
             throw std::length_error("the lattice has more than 2^31 touched motions; choose a coarser resolution");
-        tables_.firstMotion[node] = static_cast<MotionId>(motions_.size());
-        motions_.growTo(motions_.size() + neighbourhood_->maxSteps());
+        const auto first = static_cast<MotionId>(motions_.size());
+        tables_.firstMotion[node] = first;
+        motions_.growTo(motions_.size() + width);
         if (motionCosts_ != nullptr)
             motionCosts_->makeRoom(motions_.size());
         for (std::size_t i = 0; i < steps_.count; ++i)
-            motions_[tables_.firstMotion[node] + steps_.steps[i].index].from = node;
+        {
+            const MotionId motion = first + steps_.steps[i].index;
+            motions_[motion].from = node;
+            if (glances_)
+                motions_[motion + neighbourhood_->maxSteps()] = {motion, kGlance};
+        }
     }
     return tables_.firstMotion[node];
+}
+
+std::optional<MotionId> Lattice::glanceOf(MotionId motion) const noexcept
+{
+    const std::size_t glance = std::size_t{motion} + maxSteps();
+    if (!glances_ || glance >= motions_.size() || motions_[glance].to != kGlance || motions_[glance].from != motion)
+        return std::nullopt;
+    return static_cast<MotionId>(glance);
 }
 
 void Lattice::successors(NodeId node, Successors& out)

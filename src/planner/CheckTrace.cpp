@@ -29,6 +29,8 @@ CheckTrace::Key CheckTrace::keyOf(const Lattice& lattice, CheckId check)
     const Lattice::Motion& motion = lattice.motion(check.motion());
     append(key, motion.from);
     append(key, motion.to);
+    if (lattice.isGlance(check.motion()))
+        key.push_back(0);  // no state and no motion has as many numbers
     return key;
 }
 

@@ -62,6 +62,7 @@ LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjec
         lattice_.setMotionCosts(&*costs_);
     else if (costs_ || !embedding_.sumsDistances())
         lattice_.setStepCost([this](NodeId from, NodeId to) { return motionCost(from, to); });
+    lattice_.setGlances(settings_.evaluation == "lazy" && discreteMotions_);
     checker.open(lattice_, embedding_, std::move(sources), costs_ && settings_.objectiveInChecks ? &*costs_ : nullptr);
     broker_.setBarrier(settings.barrier);
     workers_ = executor.workers();
@@ -267,10 +268,20 @@ void LatticeQuery::beginLazySearch()
     search_ = std::move(search);
     if (speculates_)
         broker_.setSource(lazy_);
+    lazy_->setGlances([this](const lattice::Lattice::Motion& motion) { return isWorthAGlance(motion); });
     for (const NodeId goal : goalNodes_)
         lazy_->addGoal(goal);
     for (const NodeId start : startNodes_)
         lazy_->addStart(start);
+}
+
+/// A glance has to be far shorter than the check of the motion.
+bool LatticeQuery::isWorthAGlance(const lattice::Lattice::Motion& motion) const
+{
+    constexpr unsigned kLeastShare = 3;
+    embedding_.write(lattice_, motion.from, from_.get());
+    embedding_.write(lattice_, motion.to, to_.get());
+    return embedding_.segments(from_.get(), to_.get()) > kLeastShare * OmplChecker::kGlanceStates;
 }
 
 void LatticeQuery::setObserver(std::function<void(NodeId)> observer)

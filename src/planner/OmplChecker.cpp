@@ -61,8 +61,10 @@ bool OmplChecker::checkMotion(lattice::MotionId id, unsigned worker)
     const StateHandle to(si_);
     embedding_->write(*lattice_, motion.from, from.get());
     embedding_->write(*lattice_, motion.to, to.get());
+    if (lattice_->isGlance(id))
+        return checkInside(from.get(), to.get(), worker, kGlanceStates);
     const bool valid =
-        discrete_ ? checkInside(from.get(), to.get(), worker) : askValidator(from.get(), to.get(), worker);
+        discrete_ ? checkInside(from.get(), to.get(), worker, kAllStates) : askValidator(from.get(), to.get(), worker);
     if (valid && costs_ != nullptr)
     {
         costs_->evaluate(id, from.get(), to.get());
@@ -80,7 +82,8 @@ bool OmplChecker::askValidator(const ob::State* from, const ob::State* to, unsig
     return sources_.motionValidators.front()->checkMotion(from, to);
 }
 
-bool OmplChecker::checkInside(const ob::State* from, const ob::State* to, unsigned worker)
+/// \param most of the inner states to look at, those first that lie farthest from all looked at before.
+bool OmplChecker::checkInside(const ob::State* from, const ob::State* to, unsigned worker, std::uint32_t most)
 {
     const ob::StateSpace& space = *si_.getStateSpace();
     const unsigned segments = embedding_->segments(from, to);
@@ -89,7 +92,7 @@ bool OmplChecker::checkInside(const ob::State* from, const ob::State* to, unsign
     if (segments > 1)
         open.emplace_back(1U, segments - 1);
     bool valid = true;
-    while (valid && !open.empty())
+    while (valid && looked < most && !open.empty())
     {
         const auto [first, last] = open.front();
         open.pop_front();

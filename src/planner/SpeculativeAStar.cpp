@@ -214,9 +214,14 @@ void SpeculativeAStar::visitChecks(const std::function<void(const CheckRun&)>& v
     const std::vector<planner::TracingChecker::Note> notes = session_->tracer->notes();
     for (const planner::TracingChecker::Note& note : notes)
     {
-        CheckRun run{
-            nullptr,      nullptr,    note.valid, query.broker().isUsed(note.check), note.start - notes.front().start,
-            note.seconds, note.worker};
+        CheckRun run{nullptr,
+                     nullptr,
+                     note.valid,
+                     query.broker().isUsed(note.check),
+                     note.start - notes.front().start,
+                     note.seconds,
+                     note.worker,
+                     note.check.isMotion() && query.lattice().isGlance(note.check.motion())};
         const bool motion = note.check.isMotion();
         const lattice::Lattice::Motion ends =
             motion ? query.lattice().motion(note.check.motion()) : lattice::Lattice::Motion{note.check.node(), 0};

@@ -140,25 +140,48 @@ void LazySearch::demandDoubtful()
 void LazySearch::readPath()
 {
     unknownStates_.clear();
+    unknownGlances_.clear();
     unknownMotions_.clear();
-    const auto list = [this](CheckId check)
-    {
-        if (tree_.verdict(check) == Verdict::Unknown)
-            (check.isMotion() ? unknownMotions_ : unknownStates_).push_back(check);
-    };
     for (const LazyTree::EdgeId edge : path_)
     {
-        list(CheckId::ofState(tree_.to(edge)));
+        listUnknown(CheckId::ofState(tree_.to(edge)));
         inner_.clear();
         tree_.addInner(edge, inner_);
         for (const CheckId check : inner_)
-            list(check);
+            listUnknown(check);
     }
+}
+
+void LazySearch::listUnknown(CheckId check)
+{
+    if (tree_.verdict(check) != Verdict::Unknown)
+        return;
+    listOf(check).push_back(check);
+    if (!check.isMotion() || !isLong_ || !isLong_(lattice_.motion(check.motion())))
+        return;
+    if (const auto glance = lattice_.glanceOf(check.motion());
+        glance && tree_.verdict(CheckId::ofMotion(*glance)) == Verdict::Unknown)
+        unknownGlances_.push_back(CheckId::ofMotion(*glance));
+}
+
+std::vector<CheckId>& LazySearch::listOf(CheckId check) noexcept
+{
+    if (!check.isMotion())
+        return unknownStates_;
+    return lattice_.isGlance(check.motion()) ? unknownGlances_ : unknownMotions_;
+}
+
+/// States come first, then glances, then motions: the dearest last.
+const std::vector<CheckId>& LazySearch::firstUnknown() const noexcept
+{
+    if (!unknownStates_.empty())
+        return unknownStates_;
+    return unknownGlances_.empty() ? unknownMotions_ : unknownGlances_;
 }
 
 void LazySearch::choose()
 {
-    inOrder_ = unknownStates_.empty() ? unknownMotions_ : unknownStates_;
+    inOrder_ = firstUnknown();
     switch (selector_)
     {
         case Selector::Forward:
@@ -211,7 +234,7 @@ void LazySearch::enter(CheckId check, bool valid)
             suspectAround(check.node());
     }
     else
-        std::erase(check.isMotion() ? unknownMotions_ : unknownStates_, check);
+        std::erase(listOf(check), check);
 }
 
 /// Makes a decision final.
@@ -266,7 +289,7 @@ void LazySearch::proposeAtHand(std::size_t count, std::vector<CheckId>& out)
         for (const NodeId suspect : suspects_)
             addUnknown(CheckId::ofState(suspect), most, out);
         if (pathHolds_)
-            for (const CheckId check : unknownStates_.empty() ? unknownMotions_ : unknownStates_)
+            for (const CheckId check : firstUnknown())
                 addUnknown(check, most, out);
     }
     lookAhead(most, out);

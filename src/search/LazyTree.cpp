@@ -392,6 +392,8 @@ void LazyTree::enter(CheckId check, bool valid)
             motions_.resize(std::max<std::size_t>(check.motion() + std::size_t{1}, motions_.size() * 2));
         motions_[check.motion()] = verdict;
         if (!valid)
+            motions_[lattice_.glancedAt(check.motion())] = verdict;
+        if (!valid)
             lose(lattice_.motion(check.motion()).to);
         return;
     }
@@ -430,7 +432,11 @@ void LazyTree::undo(CheckId check, const Journal& journal)
             lost_.push_back(change->node);  // it may have been, and have looked for another way since
     }
     if (check.isMotion())
+    {
+        if (motions_[check.motion()] == Verdict::Invalid)
+            motions_[lattice_.glancedAt(check.motion())] = Verdict::Unknown;
         motions_[check.motion()] = Verdict::Unknown;
+    }
     else
         nodes_[check.node()].verdict = Verdict::Unknown;
 }

@@ -120,6 +120,38 @@ TEST(Lattice, EveryMotionHasACheckOfItsOwnThatKnowsItsEnds)
     EXPECT_EQ(motions, 80U);
 }
 
+TEST(Lattice, AGlanceIsACheckOfItsOwnOfTheSameMotion)
+{
+    Lattice lattice = makeLattice(true);
+    lattice.setGlances(true);
+    const NodeId node = lattice.node(Row{1, 1}.data());
+    const NodeId terminal = lattice.addTerminal();
+    lattice.connect(node, terminal, 1.0);
+    Successors successors;
+    lattice.successors(node, successors);
+    std::set<MotionId> glances;
+    for (const Successors::Edge& edge : successors.edges)
+    {
+        const MotionId motion = successors.innerOf(edge)[0].motion();
+        EXPECT_FALSE(lattice.isGlance(motion));
+        EXPECT_EQ(lattice.glancedAt(motion), motion);
+        const std::optional<MotionId> glance = lattice.glanceOf(motion);
+        EXPECT_EQ(glance.has_value(), edge.node != terminal) << "motions made by hand have none";
+        if (!glance)
+            continue;
+        EXPECT_TRUE(lattice.isGlance(*glance));
+        EXPECT_FALSE(lattice.glanceOf(*glance));
+        EXPECT_EQ(lattice.glancedAt(*glance), motion);
+        EXPECT_EQ(lattice.motion(*glance).from, node);
+        EXPECT_EQ(lattice.motion(*glance).to, edge.node);
+        glances.insert(*glance);
+    }
+    EXPECT_EQ(glances.size(), 4U);
+    Lattice plain = makeLattice(true);
+    plain.successors(plain.node(Row{1, 1}.data()), successors);
+    EXPECT_FALSE(plain.glanceOf(successors.inner.front().motion()));
+}
+
 TEST(Lattice, StepsThatComeBackKeepTheirMotions)
 {
     const auto neighbourhood = [](Coordinate stride)

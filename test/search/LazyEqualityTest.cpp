@@ -85,6 +85,9 @@ LazyResult solve(const RandomProblem& problem, Configuration& configuration, Sel
     broker.setWarmUp(0.0);  // most of these problems are small
     search::LazySearch search(lattice, heuristic, broker, weight);
     search.setSelector(selector);
+    lattice.setGlances(true);
+    search.setGlances([&lattice](const lattice::Lattice::Motion& motion)
+                      { return util::hashCoordinates(lattice.coordinates(motion.from)) % 3 != 0; });
     broker.setSource(&search);
     const auto node = [&lattice](const Cell& cell)
     { return lattice.node(std::vector<lattice::Coordinate>(cell.begin(), cell.end()).data()); };
@@ -208,6 +211,8 @@ TEST(LazyEquality, EveryExecutorAndThreadCountDecidesTheSameAndTheCostIsDijkstra
     EXPECT_LT(solved, problemCount());
     for (const auto& [name, checks] : ahead)
         EXPECT_EQ(checks > 0, !name.starts_with("inline")) << name << ": " << checks;
+    for (const Configuration& configuration : configurations)
+        EXPECT_GT(configuration.checker->glances(), 0U) << configuration.name;
 }
 
 TEST(LazyEquality, EverySelectorFindsTheSameCost)

@@ -217,6 +217,72 @@ TEST(LazySearch, AtHandIsAlsoWhatIsDoubtfulFarBehindTheFrontOfOpen)
     EXPECT_GT(named.size(), first + 50) << "for each decision others, of those behind the front";
 }
 
+/// All states are valid; motions into the column x = 12 are not, but for those at y < 3.
+class CrossingChecker : public validity::Checker
+{
+public:
+    explicit CrossingChecker(const lattice::Lattice& lattice) : lattice_(lattice)
+    {
+    }
+
+    bool check(CheckId check, unsigned) override
+    {
+        if (!check.isMotion())
+            return true;
+        ++(lattice_.isGlance(check.motion()) ? glances : motions);
+        const auto to = lattice_.coordinates(lattice_.motion(check.motion()).to);
+        return to[0] != 12 || to[1] < 3;
+    }
+
+    int glances = 0;
+    int motions = 0;
+
+private:
+    const lattice::Lattice& lattice_;
+};
+
+TEST(LazySearch, AMotionThatAGlanceRefusesIsNotChecked)
+{
+    double cost = 0.0;
+    int unseen = 0;  // motions checked without glances
+    for (const bool glances : {false, true})
+    {
+        lattice::GridSteps steps = Plane::steps();
+        steps.motionCheck = [](std::span<const Coordinate>) { return true; };
+        lattice::Lattice lattice(
+            std::make_unique<lattice::GridNeighbourhood>(lattice::GridBox{{0, 0}, {29, 29}}, steps));
+        lattice.setGlances(glances);
+        lattice::GridHeuristic heuristic(lattice, {1.0, 1.0}, 2);
+        heuristic.addGoal({{20.0, 15.0}, {}});
+        CrossingChecker checker(lattice);
+        validity::InlineExecutor executor(checker);
+        validity::Broker broker(executor);
+        search::LazySearch search(lattice, heuristic, broker);
+        search.setGlances([](const lattice::Lattice::Motion&) { return true; });
+        const auto node = [&lattice](Coordinate x, Coordinate y)
+        {
+            const Coordinate cell[] = {x, y};
+            return lattice.node(cell);
+        };
+        search.addGoal(node(20, 15));
+        search.addStart(node(2, 15));
+        ASSERT_EQ(search.run([] { return false; }), SearchStatus::Solved);
+        if (!glances)
+        {
+            cost = search.costToCome(search.reachedGoal());
+            unseen = checker.motions;
+            EXPECT_EQ(checker.glances, 0);
+            continue;
+        }
+        EXPECT_EQ(search.costToCome(search.reachedGoal()), cost);
+        EXPECT_NEAR(cost, costThroughGap(), 1e-9);
+        EXPECT_EQ(checker.motions, static_cast<int>(search.pathTo(search.reachedGoal()).size()) - 1)
+            << "those of the path and no others";
+        EXPECT_GT(checker.glances, checker.motions);
+        EXPECT_LT(3 * checker.motions, unseen);
+    }
+}
+
 TEST(LazySearch, AnExceptionThatIsNeededSurfacesAfterTheSameDecisionsEverywhere)
 {
     LazyOnPlane sequential(1, false);

@@ -138,7 +138,28 @@ public:
         return motionCosts_;
     }
 
-    /// Number of motions made so far.
+    /// Gives every motion of a step a second check, its glance: whoever checks decides what of the motion it looks at,
+    /// and where a glance is invalid the motion is. To be set before the first motion is made.
+    void setGlances(bool glances) noexcept
+    {
+        glances_ = glances;
+    }
+
+    /// The glance of a motion, if it has one.
+    [[nodiscard]] std::optional<MotionId> glanceOf(MotionId motion) const noexcept;
+
+    [[nodiscard]] bool isGlance(MotionId motion) const noexcept
+    {
+        return motions_[motion].to == kGlance;
+    }
+
+    /// The motion that a glance is of; any other motion itself.
+    [[nodiscard]] MotionId glancedAt(MotionId motion) const noexcept
+    {
+        return isGlance(motion) ? motions_[motion].from : motion;
+    }
+
+    /// Number of motions made so far, glances included.
     [[nodiscard]] std::size_t motions() const noexcept
     {
         return motions_.size();
@@ -165,14 +186,18 @@ public:
         return nodes_.coordinates(node);
     }
 
+    /// The ends of a motion; of a glance those of the motion that it is of.
     [[nodiscard]] const Motion& motion(MotionId motion) const noexcept
     {
-        return motions_[motion];
+        return motions_[glancedAt(motion)];
     }
 
 private:
     /// First coordinates below this mark terminals.
     static constexpr Coordinate kTerminalEnd = std::numeric_limits<Coordinate>::min() / 2;
+
+    /// In place of a motion's end: this is a glance, and `from` the number of the motion.
+    static constexpr NodeId kGlance = kNoNode - 1;
 
     struct HandMade
     {
@@ -189,7 +214,8 @@ private:
         {
         }
 
-        std::vector<MotionId> firstMotion;  ///< node -> first of its maxSteps() motions, once it was asked for
+        std::vector<MotionId> firstMotion;  ///< node -> first of its maxSteps() motions, once it was asked for; their
+                                            ///< glances come next
         NodeRows ends;                      ///< where no motion is checked: ends by the steps' index
     };
 
@@ -227,6 +253,7 @@ private:
     std::unordered_map<NodeId, std::vector<HandMade>> handMade_;
     std::function<double(NodeId, NodeId)> stepCost_;
     MotionCosts* motionCosts_ = nullptr;
+    bool glances_ = false;
     std::size_t terminals_ = 0;
     Steps steps_;                      ///< scratch of successors()
     std::vector<UnknownEnd> unknown_;  ///< scratch of internEnds()

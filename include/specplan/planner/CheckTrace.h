@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    /// Coordinates of the state, or of both ends of the motion.
+    /// Coordinates of the state, or of both ends of the motion; one number more for a glance.
     using Key = std::vector<lattice::Coordinate>;
 
     struct Hash

@@ -168,6 +168,7 @@ private:
     void beginEagerSearch();
     void beginLazySearch();
     [[nodiscard]] bool canBeLazy() const;
+    [[nodiscard]] bool isWorthAGlance(const lattice::Lattice::Motion& motion) const;
     void takeNewSpacing();
     void dropSearch();
     /// A terminal at this state; the one of an earlier query if there is one.
@@ -189,8 +190,8 @@ private:
     Embedding embedding_;
     mutable lattice::Lattice lattice_;     ///< looking at motions makes their nodes
     std::optional<ObjectiveCosts> costs_;  ///< empty for path length
-    StateHandle from_;                     ///< scratch of motionCost()
-    StateHandle to_;                       ///< scratch of motionCost()
+    StateHandle from_;                     ///< scratch of motionCost() and isWorthAGlance()
+    StateHandle to_;                       ///< the same
     validity::Broker broker_;
     std::unique_ptr<speculation::Predictor> predictor_;
     bool speculates_ = false;

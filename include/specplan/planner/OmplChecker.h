@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <mutex>
 #include <vector>
 
@@ -28,6 +29,10 @@ namespace specplan::planner
 class OmplChecker : public validity::Checker
 {
 public:
+    /// A glance at a motion looks at so many of its inner states: the middle, the quarters, the eighths. (Of a motion
+    /// that leaves the bounds between two of these it may look at fewer.)
+    static constexpr std::uint32_t kGlanceStates = 7;
+
     /// What to check with.
     struct Sources
     {
@@ -68,6 +73,8 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t kAllStates = std::numeric_limits<std::uint32_t>::max();
+
     /// One worker's own; on a cache line of its own.
     struct alignas(64) Scratch
     {
@@ -77,7 +84,8 @@ private:
     [[nodiscard]] bool checkState(lattice::NodeId node, unsigned worker);
     [[nodiscard]] bool checkMotion(lattice::MotionId id, unsigned worker);
     [[nodiscard]] bool askValidator(const ompl::base::State* from, const ompl::base::State* to, unsigned worker);
-    [[nodiscard]] bool checkInside(const ompl::base::State* from, const ompl::base::State* to, unsigned worker);
+    [[nodiscard]] bool checkInside(const ompl::base::State* from, const ompl::base::State* to, unsigned worker,
+                                   std::uint32_t most);
     [[nodiscard]] const ompl::base::StateValidityChecker& checkerOf(unsigned worker) const noexcept;
 
     const ompl::base::SpaceInformation& si_;

@@ -130,6 +130,7 @@ public:
         double start;    ///< seconds since the first check began
         double seconds;  ///< duration
         unsigned worker;
+        bool glance;  ///< looked at a few states of the motion only
     };
 
     /// Calls `visit` for every check that has run since the trace was set, in the order in which they began; the states

@@ -56,6 +56,13 @@ public:
         selector_ = selector;
     }
 
+    /// Motions of which a glance is taken before they are checked, if the lattice has glances; empty for none. To be
+    /// set before the search starts.
+    void setGlances(std::function<bool(const lattice::Lattice::Motion&)> isLong)
+    {
+        isLong_ = std::move(isLong);
+    }
+
     /// Told about every decision in order: the check, and its verdict. Empty for none.
     void setObserver(std::function<void(CheckId check, bool valid)> observer)
     {
@@ -174,6 +181,9 @@ private:
     [[nodiscard]] bool chooseSuspects();
     void demandDoubtful();
     void readPath();
+    void listUnknown(CheckId check);
+    [[nodiscard]] std::vector<CheckId>& listOf(CheckId check) noexcept;
+    [[nodiscard]] const std::vector<CheckId>& firstUnknown() const noexcept;
     void choose();
     void suspectAround(NodeId node);
     void enter(CheckId check, bool valid);
@@ -202,12 +212,14 @@ private:
     speculation::NearbyPredictor predictor_;
     Selector selector_ = Selector::LeastLikely;
     std::function<void(CheckId, bool)> observer_;
+    std::function<bool(const lattice::Lattice::Motion&)> isLong_;
 
     Plan plan_ = Plan::Unfinished;        ///< after all guesses
     bool pathHolds_ = false;              ///< path_ and what is unknown of it are up to date
     std::vector<CheckId> next_;           ///< if plan_ is Next; in order
     std::vector<LazyTree::EdgeId> path_;  ///< last motion first
     std::vector<CheckId> unknownStates_;  ///< of path_, in its order
+    std::vector<CheckId> unknownGlances_;
     std::vector<CheckId> unknownMotions_;
     std::vector<NodeId> suspects_;  ///< doubtful nodes that ways may lead through
     std::deque<Guess> guesses_;     ///< in order of deciding; what is committed is off the list
