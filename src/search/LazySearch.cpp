@@ -114,7 +114,7 @@ bool LazySearch::chooseSuspects()
     if (suspects_.empty())
         return false;
     std::ranges::sort(suspects_, [this](NodeId a, NodeId b) { return tree_.comesBefore(a, b); });
-    suspects_.erase(std::ranges::unique(suspects_).begin(), suspects_.end());
+    suspects_.erase(std::unique(suspects_.begin(), suspects_.end()), suspects_.end());
     next_.clear();
     for (std::size_t i = 0; i < suspects_.size() && next_.size() < kSuspects; ++i)
         if (!tree_.comesThrough(suspects_[i], std::span(suspects_).first(i)))
