@@ -392,9 +392,10 @@ void LazyTree::enter(CheckId check, bool valid)
             motions_.resize(std::max<std::size_t>(check.motion() + std::size_t{1}, motions_.size() * 2));
         motions_[check.motion()] = verdict;
         if (!valid)
-            motions_[lattice_.glancedAt(check.motion())] = verdict;
-        if (!valid)
+        {
+            motions_[lattice_.glancedAt(check.motion())] = verdict;  // a glance closes the motion that it is of
             lose(lattice_.motion(check.motion()).to);
+        }
         return;
     }
     const NodeId node = check.node();
