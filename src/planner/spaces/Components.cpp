@@ -31,6 +31,8 @@ constexpr double kAutomaticNodes = 60000.0;
 constexpr double kMostCells = 101.0;
 constexpr double kAngleCells = 16.0;
 constexpr double kRotations = 40.0;
+/// The fewest cells across a narrow place.
+constexpr double kFewestAcross = 4.0;
 constexpr double kUnboundedSteps = 1 << 20;
 constexpr unsigned kFewestLevels = 3;
 constexpr unsigned kMostLevels = 8;
@@ -161,6 +163,30 @@ double automaticCells(const std::vector<Draft>& drafts)
     return std::clamp(std::floor(std::pow(std::max(nodes, 1.0), 1.0 / others)), fewestCells(others), kMostCells);
 }
 
+/// Spacing of a place, the same along all axes but those that would be left with too few cells: as many cells in all as
+/// `cells` along each axis.
+double evenSpacing(const std::vector<RealAxis>& axes, double cells)
+{
+    std::vector<double> extents;
+    for (const RealAxis& axis : axes)
+        if (axis.lower < axis.upper)
+            extents.push_back(extentOf(axis));
+    std::ranges::sort(extents, std::greater<>());
+    double logCells = std::log(cells) * static_cast<double>(extents.size());
+    double spacing = 1.0;
+    for (; !extents.empty(); extents.pop_back())
+    {
+        double logVolume = 0.0;
+        for (const double extent : extents)
+            logVolume += std::log(extent);
+        spacing = std::exp((logVolume - logCells) / static_cast<double>(extents.size()));
+        if (extents.back() >= kFewestAcross * spacing)
+            break;
+        logCells -= std::log(kFewestAcross);
+    }
+    return spacing;
+}
+
 bool allAngles(const std::vector<Draft>& drafts)
 {
     return std::ranges::all_of(drafts, &Draft::angle);
@@ -178,6 +204,8 @@ void chooseSpacings(std::vector<Draft>& drafts, const PlannerSettings& settings)
     const bool onlyAngles = allAngles(drafts);
     std::size_t number = 0;
     for (Draft& draft : drafts)
+    {
+        const double even = draft.part->place ? evenSpacing(draft.axes, cells) : 0.0;
         for (RealAxis& axis : draft.axes)
         {
             const double extent = extentOf(axis);
@@ -190,11 +218,14 @@ void chooseSpacings(std::vector<Draft>& drafts, const PlannerSettings& settings)
                 axis.spacing = settings.spacing.front();
             else if (settings.resolution > 0.0)
                 axis.spacing = extent * settings.resolution;
+            else if (draft.part->place)
+                axis.spacing = std::min(even, extent / kFewestAcross);
             else
                 axis.spacing = extent / (draft.angle && !onlyAngles ? kAngleCells : cells);
             if (!(axis.spacing > 0.0))
                 axis.spacing = 1.0;  // the axis stands still
         }
+    }
 }
 
 /// Spacing of a car's places: the arc from one heading to the next, unless the plane is too small or large.

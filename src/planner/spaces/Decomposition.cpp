@@ -31,7 +31,14 @@ bool isOmpls(const ob::StateSpace& space)
            type == typeid(ob::DubinsStateSpace) || type == typeid(ob::ReedsSheppStateSpace);
 }
 
-void takeApart(const ob::StateSpacePtr& space, const std::vector<unsigned>& path, double weight, Decomposition& out)
+bool isOfPoses(const ob::StateSpace& space)
+{
+    return dynamic_cast<const ob::SE2StateSpace*>(&space) != nullptr ||
+           dynamic_cast<const ob::SE3StateSpace*>(&space) != nullptr;
+}
+
+void takeApart(const ob::StateSpacePtr& space, const std::vector<unsigned>& path, double weight, bool place,
+               Decomposition& out)
 {
     if (dynamic_cast<const ob::WrapperStateSpace*>(space.get()) != nullptr)
         throw ompl::Exception(
@@ -42,14 +49,16 @@ void takeApart(const ob::StateSpacePtr& space, const std::vector<unsigned>& path
     const auto* compound = dynamic_cast<const ob::CompoundStateSpace*>(space.get());
     if (compound == nullptr || isCar(*space))
     {
-        out.parts.push_back({space, path, weight});
+        out.parts.push_back({space, path, weight, place});
         return;
     }
     for (unsigned i = 0; i < compound->getSubspaceCount(); ++i)
     {
         std::vector<unsigned> longer = path;
         longer.push_back(i);
-        takeApart(compound->getSubspace(i), longer, weight * compound->getSubspaceWeight(i), out);
+        // The first subspace of SE2 and SE3 is the place.
+        takeApart(compound->getSubspace(i), longer, weight * compound->getSubspaceWeight(i),
+                  i == 0 && isOfPoses(*space), out);
     }
 }
 }  // namespace
@@ -77,7 +86,7 @@ const ob::State* Part::of(const ob::State* whole) const
 Decomposition decompose(const ob::StateSpacePtr& space)
 {
     Decomposition decomposition;
-    takeApart(space, {}, 1.0, decomposition);
+    takeApart(space, {}, 1.0, false, decomposition);
     return decomposition;
 }
 }  // namespace specplan::planner

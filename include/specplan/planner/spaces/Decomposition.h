@@ -13,6 +13,7 @@ struct Part
     ompl::base::StateSpacePtr space;
     std::vector<unsigned> path;  ///< numbers of the subspaces that lead to it; empty for the whole space
     double weight;               ///< of its distance in the distance of the whole space
+    bool place = false;          ///< where a body is in the plane or in space: all its axes have the same unit
 
     [[nodiscard]] ompl::base::State* of(ompl::base::State* whole) const;
     [[nodiscard]] const ompl::base::State* of(const ompl::base::State* whole) const;
