@@ -55,6 +55,8 @@ void explain(const PlannerSession& session, const std::string& refusal, std::ost
     out << "Lattice over " << session.si->getStateSpace()->getName() << ", " << embedding.axes() << " axes:\n";
     embedding.describe(out);
     out << "  " << embedding.nodes() << " states in all, inside the bounds or nearly so\n";
+    if (embedding.isCoarse())
+        out << "  with twice the usual spacing, for a first path\n";
     if (!embedding.sumsDistances())
         out << "  the space measures distances in a way of its own: steps cost what it says\n";
     const Branching branching = branchingAt(query, query.starts().front(), *session.si);

@@ -22,7 +22,7 @@ namespace
 /// through.
 double automaticWeight(unsigned axes)
 {
-    if (axes <= 4)
+    if (axes <= kFewAxes)
         return 1.0;
     return axes <= 7 ? 3.0 : 5.0;
 }

@@ -33,18 +33,6 @@ constexpr std::size_t kMaxSampledGoals = 16;
 /// A goal's threshold below this means "this very state".
 constexpr double kExact = 1e-9;
 
-/// The part of a weight that is above 1 is divided by this for a better path.
-constexpr double kHaste = 3.0;
-
-/// Checks that a first path may take on a lattice over many axes before a coarser one is tried, and the checks that
-/// this one may take before the search goes back and stays.
-constexpr std::uint64_t kUsualPatience = 4000;
-constexpr std::uint64_t kCoarsePatience = 16000;
-constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max();
-
-/// Below this a weight is 1.
-constexpr double kLeastWeight = 1.05;
-
 auto asTuple(const PlannerSettings& s)
 {
     return std::tie(s.numThreads, s.speculationPolicy, s.predictor, s.lookahead, s.barrier, s.weight, s.anytime,
@@ -215,22 +203,49 @@ std::optional<ob::PlannerStatus> PlannerSession::openQuery(ob::PlannerInputState
     }
     if (changed)
     {
-        if (query->embedding().isCoarse())
-            (void)query->refine();
-        weight_ = query->firstWeight(looksForBetter(pdef));
-        patience_ = query->embedding().canCoarsen() ? kUsualPatience : kEndless;
-        finished_ = false;
-        best_.reset();
-        past_ = {};
-        query->beginSearch(weight_);
+        beginFirstSearch(pdef);
     }
     return std::nullopt;
 }
 
-void PlannerSession::beginSearch()
+void PlannerSession::beginFirstSearch(const ob::ProblemDefinition& pdef)
 {
-    past_ = {expansions(), orderHash()};
-    query->beginSearch(weight_);
+    if (query->embedding().isCoarse())
+        (void)query->refine();
+    Schedule::Terms terms;
+    terms.weight = query->firstWeight(looksForBetter(pdef));
+    terms.automatic = !(settings.weight > 0.0);
+    terms.weighted = query->addsCosts();
+    terms.coarsens = query->embedding().canCoarsen();
+    terms.axes = query->embedding().axes();
+    schedule_ = Schedule(terms);
+    if (schedule_.isCoarse())
+        query->coarsen();
+    finished_ = false;
+    best_.reset();
+    past_ = {};
+    patienceEnds_ = schedule_.current().patience;
+    query->beginSearch(schedule_.current().weight);
+}
+
+/// \return false if the lattice cannot become any finer.
+bool PlannerSession::beginNextSearch(Schedule::End end)
+{
+    const Past past{expansions(), orderHash()};
+    const bool wasCoarse = schedule_.isCoarse();
+    const Schedule::Search& next = schedule_.next(end);
+    if (next.change == Schedule::Change::Coarsen)
+        query->coarsen();
+    else if (next.change == Schedule::Change::Refine)
+    {
+        if (!query->refine())
+            return false;
+        refinements_ += wasCoarse ? 0 : 1;
+    }
+    past_ = past;
+    patienceEnds_ = next.patience == Schedule::kEndless ? Schedule::kEndless : verdictsUsed() + next.patience;
+    query->beginSearch(next.weight);
+    return true;
 }
 
 std::uint64_t PlannerSession::expansions() const
@@ -303,65 +318,22 @@ bool PlannerSession::looksForBetter(const ob::ProblemDefinition& pdef) const
     return settings.anytime && !settings.stopAtFirstPath && pdef.hasOptimizationObjective();
 }
 
-/// Begins a search that may find something better than what is known. \return false if there is none.
-bool PlannerSession::beginBetterSearch(const ob::ProblemDefinition& pdef)
+/// Whether something better than what is known is looked for.
+bool PlannerSession::wantsBetter(const ob::ProblemDefinition& pdef) const
 {
-    finished_ = !looksForBetter(pdef) || pdef.getOptimizationObjective()->isSatisfied(best_.cost());
-    if (finished_)
-        return false;
-    if (query->embedding().isCoarse())
-    {
-        changeSpacing();
-        return true;
-    }
-    patience_ = kEndless;  // there is a path
-    if (query->addsCosts() && weight_ > 1.0)
-    {
-        weight_ = 1.0 + (weight_ - 1.0) / kHaste;
-        if (weight_ < kLeastWeight)
-            weight_ = 1.0;
-        beginSearch();
-        return true;
-    }
-    finished_ = !refine();
-    return !finished_;
+    return looksForBetter(pdef) && !pdef.getOptimizationObjective()->isSatisfied(best_.cost());
 }
 
-/// Whether a first path should be sought with another spacing.
-bool PlannerSession::isOutOfPatience() const
+std::uint64_t PlannerSession::verdictsUsed() const
 {
     const CheckStatistics& counts = query->broker().statistics();
-    return counts.checksUsed + counts.checksReused >= patience_;
+    return counts.checksUsed + counts.checksReused;
 }
 
-/// Leaves the usual lattice for a coarse one, and that for the usual one again.
-void PlannerSession::changeSpacing()
+/// Whether the search has gone on for long enough.
+bool PlannerSession::isOutOfPatience() const
 {
-    const Past past{expansions(), orderHash()};
-    if (query->embedding().canCoarsen())
-    {
-        query->coarsen();
-        patience_ = kUsualPatience + kCoarsePatience;
-    }
-    else
-    {
-        (void)query->refine();
-        patience_ = kEndless;
-    }
-    past_ = past;
-    query->beginSearch(weight_);
-}
-
-bool PlannerSession::refine()
-{
-    const Past past{expansions(), orderHash()};
-    if (!query->refine())
-        return false;
-    past_ = past;
-    patience_ = kEndless;
-    ++refinements_;
-    query->beginSearch(weight_);
-    return true;
+    return verdictsUsed() >= patienceEnds_;
 }
 
 ob::PlannerStatus PlannerSession::solve(ob::PlannerInputStates& inputs, const ob::PlannerTerminationCondition& ptc,
@@ -373,15 +345,17 @@ ob::PlannerStatus PlannerSession::solve(ob::PlannerInputStates& inputs, const ob
         const SearchStatus end = search(inputs, *pdef.getGoal(), ptc);
         if (end == SearchStatus::Stopped && !isOutOfPatience())
             break;
-        if (end == SearchStatus::Stopped || (end == SearchStatus::Infeasible && query->embedding().isCoarse()))
-            changeSpacing();
-        else if (end == SearchStatus::Solved)
+        if (end == SearchStatus::Solved)
         {
             takeSolution(planner);
-            if (!beginBetterSearch(pdef))
-                break;
+            finished_ = !wantsBetter(pdef) || !beginNextSearch(Schedule::End::Solved);
         }
-        else if (!best_ && settings.anytime && query->embedding().coarseness() > 1.0 && refine())
+        else if (end == SearchStatus::Stopped)
+            (void)beginNextSearch(Schedule::End::GivenUp);
+        else if (schedule_.isCoarse())
+            (void)beginNextSearch(Schedule::End::Infeasible);
+        else if (!best_ && settings.anytime && query->embedding().coarseness() > 1.0 &&
+                 beginNextSearch(Schedule::End::Infeasible))
         {
             OMPL_INFORM("%s: no goal can be reached on the lattice; going on with half its spacing",
                         planner.getName().c_str());
@@ -420,7 +394,7 @@ void PlannerSession::fillReport()
 {
     const CheckStatistics& counts = query->broker().statistics();
     report.cost = best_ ? best_.cost().value() : std::numeric_limits<double>::quiet_NaN();
-    report.weight = weight_;
+    report.weight = weight();
     report.bound = bound_;
     report.refinements = refinements_;
     report.expansions = expansions();
@@ -456,7 +430,7 @@ void PlannerSession::takeSolution(ob::Planner& planner)
 {
     const NodeId goal = query->search().reachedGoal();
     const ob::Cost cost = query->costToCome(goal);
-    bound_ = weight_;
+    bound_ = schedule_.isCoarse() ? std::numeric_limits<double>::quiet_NaN() : weight();
     if (best_ && !query->isBetter(cost, best_.cost()))
         return;
     live.bestCost.store(cost.value(), std::memory_order_relaxed);

@@ -2,12 +2,15 @@
 // What goes on after the first solution, and what stays known after a query.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include <ompl/base/ConstrainedSpaceInformation.h>
 #include <ompl/base/Constraint.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/spaces/SE3StateSpace.h>
 #include <ompl/base/spaces/constraint/ProjectedStateSpace.h>
 
 #include "Scene.h"
@@ -136,6 +139,95 @@ TEST(Anytime, TheFirstPathMayBeAllThatIsWanted)
     EXPECT_GE(report.refinements, 1U);
     EXPECT_EQ(report.weight, 3.0) << "no search with a smaller weight was begun";
     EXPECT_EQ(report.bound, 3.0);
+}
+
+/// The first path of a problem that asks for short ones, as the best costs that the planner tells of.
+std::vector<double> costsOf(Scene& scene, const PlannerSettings& settings, unsigned evaluations)
+{
+    askForLength(scene);
+    scene.plan(settings);
+    std::vector<double> costs;
+    scene.setup.getProblemDefinition()->setIntermediateSolutionCallback(
+        [&](const ob::Planner*, const std::vector<const ob::State*>&, const ob::Cost cost)
+        { costs.push_back(cost.value()); });
+    EXPECT_EQ(scene.solve(afterEvaluations(evaluations)), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_TRUE(scene.path().check());
+    return costs;
+}
+
+TEST(Anytime, WithFewAxesTheFirstPathComesFromACoarserLattice)
+{
+    // A wall close to the goal, so that a search through the whole space comes first.
+    const auto wall = [](Scene& scene)
+    {
+        scene.setup.setStateValidityChecker(
+            [](const ob::State* state)
+            {
+                const double* x = state->as<ob::RealVectorStateSpace::StateType>()->values;
+                return std::abs(x[0] - 0.8) > 0.05 || x[1] < 0.15;
+            });
+    };
+    Scene usual(3);
+    wall(usual);
+    PlannerSettings settings = settingsFor(1);
+    settings.weight = 10.0;
+    settings.stopAtFirstPath = true;
+    (void)costsOf(usual, settings, 1000000);
+    const std::uint64_t checksOfUsual = usual.planner->getReport().checksUsed;
+
+    PlannerSettings hasty = settingsFor(1);
+    Scene first(3);
+    wall(first);
+    askForLength(first);
+    first.setup.getOptimizationObjective()->setCostThreshold(ob::Cost(100.0));
+    first.plan(hasty);
+    ASSERT_EQ(first.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_TRUE(first.path().check());
+    EXPECT_LT(first.planner->getReport().checksUsed * 4, checksOfUsual);
+    EXPECT_TRUE(std::isnan(first.planner->getReport().bound)) << "nothing is known of the usual lattice yet";
+    EXPECT_EQ(first.planner->getReport().refinements, 0U);
+
+    // What follows is the usual lattice with weights down to 1, as without the coarse one.
+    Scene both(3);
+    wall(both);
+    const std::vector<double> costs = costsOf(both, hasty, 400000);
+    EXPECT_EQ(both.planner->getReport().bound, 1.0);
+    EXPECT_LT(costs.back(), first.planner->getReport().cost);
+    Scene optimal(3);
+    wall(optimal);
+    PlannerSettings exact = settingsFor(1);
+    exact.weight = 1.0;
+    exact.stopAtFirstPath = true;
+    const double optimum = costsOf(optimal, exact, 1000000).back();
+    EXPECT_TRUE(std::ranges::any_of(costs, [&](double cost) { return std::abs(cost - optimum) < 1e-9; }))
+        << "the usual lattice is the one without the coarse one";
+}
+
+TEST(Anytime, AngleAloneHasTheSameLatticeWhetherACoarserOneComesFirstOrNot)
+{
+    for (const bool anytime : {false, true})
+    {
+        auto space = std::make_shared<ob::SO2StateSpace>();
+        og::SimpleSetup setup(space);
+        setup.setStateValidityChecker([](const ob::State*) { return true; });
+        ob::ScopedState<ob::SO2StateSpace> start(space);
+        ob::ScopedState<ob::SO2StateSpace> goal(space);
+        start->value = 0.1;
+        goal->value = 2.0;
+        setup.setStartAndGoalStates(start, goal);
+        setup.setOptimizationObjective(
+            std::make_shared<ob::PathLengthOptimizationObjective>(setup.getSpaceInformation()));
+        setup.getOptimizationObjective()->setCostThreshold(ob::Cost(100.0));
+        PlannerSettings settings = settingsFor(1);
+        settings.anytime = anytime;
+        auto planner = std::make_shared<SpeculativeAStar>(setup.getSpaceInformation(), settings);
+        setup.setPlanner(planner);
+        setup.setup();
+        std::ostringstream out;
+        planner->explain(out);
+        EXPECT_NE(out.str().find(anytime ? "50 values" : "100 values"), std::string::npos) << out.str();
+        EXPECT_EQ(out.str().find("for a first path") != std::string::npos, anytime) << out.str();
+    }
 }
 
 /// Five axes and a wall between start and goal, with its gap far off: a long way to search on the usual lattice.
@@ -296,6 +388,42 @@ TEST(Explain, TellsTheLatticeWithoutSearchingIt)
     EXPECT_NE(out.str().find("Goals: 1 states"), std::string::npos) << out.str();
     // Nothing is lost: the search goes on from here.
     EXPECT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+}
+
+TEST(Explain, PlacesOfBodiesAreEquallyFarApartAlongAllAxes)
+{
+    const auto explained = [](const std::vector<double>& extents)
+    {
+        auto space = std::make_shared<ob::SE3StateSpace>();
+        ob::RealVectorBounds bounds(3);
+        for (unsigned axis = 0; axis < 3; ++axis)
+            bounds.setHigh(axis, extents[axis]);
+        space->setBounds(bounds);
+        og::SimpleSetup setup(space);
+        setup.setStateValidityChecker([](const ob::State*) { return true; });
+        ob::ScopedState<ob::SE3StateSpace> start(space);
+        start->setXYZ(0.0, 0.0, 0.0);
+        start->rotation().setIdentity();
+        setup.setStartAndGoalStates(start, start);
+        auto planner = std::make_shared<SpeculativeAStar>(setup.getSpaceInformation(), settingsFor(1));
+        setup.setPlanner(planner);
+        setup.setup();
+        std::ostringstream out;
+        planner->explain(out);
+        return out.str();
+    };
+    const auto hasAxis = [](const std::string& text, int axis, const std::string& values)
+    { return text.find("axis " + std::to_string(axis) + ": 0 to " + values) != std::string::npos; };
+    // 20 x 20 x 20 cells of the same size.
+    const std::string room = explained({40.0, 20.0, 10.0});
+    EXPECT_TRUE(hasAxis(room, 0, "40, 41 values, spacing 1\n") && hasAxis(room, 1, "20, 21 values, spacing 1\n") &&
+                hasAxis(room, 2, "10, 11 values, spacing 1\n"))
+        << room;
+    // A thin one keeps four cells, and the others share the rest: 2000 cells of the same size.
+    const std::string thin = explained({50.0, 40.0, 0.1});
+    EXPECT_TRUE(hasAxis(thin, 0, "50, 51 values, spacing 1\n") && hasAxis(thin, 1, "40, 41 values, spacing 1\n") &&
+                hasAxis(thin, 2, "0.1, 5 values, spacing 0.025\n"))
+        << thin;
 }
 
 /// The unit sphere.

@@ -53,13 +53,13 @@ public:
     /// Halves the spacing. All nodes stay what they are. \return false if it cannot become any finer.
     bool refine();
 
-    /// Whether `coarsen` is possible: the spacing is the usual one, and there are enough axes for that to matter.
+    /// Whether `coarsen` is possible: the spacing is the usual one, and may be doubled.
     [[nodiscard]] bool canCoarsen() const noexcept
     {
         return spacing_ == Spacing::Usual;
     }
 
-    /// Doubles the spacing of places, which `refine` undoes.
+    /// Doubles the spacing, but of rotations and cars, and of angles beside many other axes; `refine` undoes that.
     void coarsen();
 
     /// Whether `coarsen` has been called, and `refine` not since.

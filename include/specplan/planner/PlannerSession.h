@@ -19,6 +19,7 @@
 #include "specplan/planner/LatticeQuery.h"
 #include "specplan/planner/OmplChecker.h"
 #include "specplan/planner/Origins.h"
+#include "specplan/planner/Schedule.h"
 #include "specplan/planner/SpeculativeAStar.h"
 #include "specplan/planner/TracingChecker.h"
 #include "specplan/validity/Executor.h"
@@ -87,7 +88,7 @@ public:
     /// Weight of the search that is on.
     [[nodiscard]] double weight() const noexcept
     {
-        return weight_;
+        return schedule_.current().weight;
     }
 
 private:
@@ -107,23 +108,23 @@ private:
     void publishCounts();
     [[nodiscard]] search::SearchStatus search(ompl::base::PlannerInputStates& inputs, const ompl::base::Goal& goal,
                                               const ompl::base::PlannerTerminationCondition& ptc);
-    void beginSearch();
+    void beginFirstSearch(const ompl::base::ProblemDefinition& pdef);
+    [[nodiscard]] bool beginNextSearch(Schedule::End end);
     [[nodiscard]] bool looksForBetter(const ompl::base::ProblemDefinition& pdef) const;
-    [[nodiscard]] bool beginBetterSearch(const ompl::base::ProblemDefinition& pdef);
-    [[nodiscard]] bool refine();
+    [[nodiscard]] bool wantsBetter(const ompl::base::ProblemDefinition& pdef) const;
+    [[nodiscard]] std::uint64_t verdictsUsed() const;
     [[nodiscard]] bool isOutOfPatience() const;
-    void changeSpacing();
     [[nodiscard]] std::shared_ptr<ompl::geometric::PathGeometric> pathTo(lattice::NodeId node) const;
     void takeSolution(ompl::base::Planner& planner);
     [[nodiscard]] bool publishApproximation(ompl::base::Planner& planner) const;
     [[nodiscard]] std::uint64_t expansions() const;
     [[nodiscard]] std::uint64_t orderHash() const;
 
-    double weight_ = 1.0;  ///< of the current search
+    Schedule schedule_;
     double bound_ = std::numeric_limits<double>::quiet_NaN();
     unsigned refinements_ = 0;
-    std::uint64_t patience_ = 0;  ///< checks used after which the spacing is changed for a first path
-    bool finished_ = false;       ///< nothing is left to be improved
+    std::uint64_t patienceEnds_ = Schedule::kEndless;  ///< verdicts used when the search is given up
+    bool finished_ = false;                            ///< nothing is left to be improved
     BestPath best_;
     Past past_;
     double clockInSearch_ = 0.0;  ///< seconds on the executor's clock spent in run()

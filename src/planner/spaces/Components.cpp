@@ -139,7 +139,7 @@ double extentOf(const RealAxis& axis)
 /// The fewest cells along an axis: where there are many axes the first lattice is coarse, and refined if need be.
 double fewestCells(double axes)
 {
-    if (axes < 5.0)
+    if (axes <= kFewAxes)
         return 20.0;
     return axes < 8.0 ? 12.0 : 8.0;
 }
@@ -187,6 +187,12 @@ double evenSpacing(const std::vector<RealAxis>& axes, double cells)
     return spacing;
 }
 
+/// Where an axis wraps around, twice its spacing has to go round too.
+double evenNumber(double cells)
+{
+    return 2.0 * std::floor(cells / 2.0);
+}
+
 bool allAngles(const std::vector<Draft>& drafts)
 {
     return std::ranges::all_of(drafts, &Draft::angle);
@@ -221,7 +227,9 @@ void chooseSpacings(std::vector<Draft>& drafts, const PlannerSettings& settings)
             else if (draft.part->place)
                 axis.spacing = std::min(even, extent / kFewestAcross);
             else
-                axis.spacing = extent / (draft.angle && !onlyAngles ? kAngleCells : cells);
+                axis.spacing = extent / (draft.angle && !onlyAngles ? kAngleCells
+                                         : axis.wraps               ? evenNumber(cells)
+                                                                    : cells);
             if (!(axis.spacing > 0.0))
                 axis.spacing = 1.0;  // the axis stands still
         }
@@ -246,13 +254,10 @@ lattice::Coordinate rotationCells(const Draft&, const PlannerSettings& settings,
     return alone ? 4 : 1;
 }
 
-/// Where there are many axes the usual lattice may be too large to be searched for a first path.
-constexpr unsigned kManyAxes = 5;
-
-/// Whether a part is a place, with a spacing that may be doubled; not an angle with its few values.
-bool isPlace(const Draft& draft)
+/// Whether a part has a spacing that may be doubled. Where there are many axes angles have few values as it is.
+bool mayBeCoarse(const Draft& draft, unsigned axes)
 {
-    return !draft.axes.empty() && !draft.angle;
+    return !std::ranges::all_of(draft.axes, &RealAxis::whole) && (!draft.angle || axes <= kFewAxes);
 }
 
 /// How often the lattice may be refined: until its steps are as short as motions that need no check.
@@ -322,10 +327,10 @@ Components makeComponents(const Decomposition& decomposition, const PlannerSetti
     chooseSpacings(drafts, settings);
     const bool alone = drafts.size() == 1;
     const unsigned levels = levelsOf(drafts, settings);
-    coarse = coarse && components.axes >= kManyAxes && settings.resolution == 0.0 && settings.spacing.empty();
+    coarse = coarse && settings.resolution == 0.0 && settings.spacing.empty();
     for (Draft& draft : drafts)
     {
-        components.begunCoarse.push_back(coarse && isPlace(draft));
+        components.begunCoarse.push_back(coarse && mayBeCoarse(draft, components.axes));
         if (components.begunCoarse.back())
             for (RealAxis& axis : draft.axes)
                 axis.spacing *= axis.whole ? 1.0 : 2.0;

@@ -10,6 +10,9 @@
 
 namespace specplan::planner
 {
+/// Up to so many axes a lattice is small enough to be searched through.
+inline constexpr unsigned kFewAxes = 4;
+
 /// The lattices over the parts of a space, and what is common to them.
 struct Components
 {
@@ -23,10 +26,11 @@ struct Components
 ///
 /// Without a resolution the space gets about 60000 nodes, and at most 101 steps along an axis; at least 20 up to four
 /// axes, 12 up to seven, and 8 beyond; angles beside other axes get 16, and rotations the 40 that are 90 degrees apart.
-/// That lattice can be refined; one that was asked for cannot.
+/// The places of SE2 and SE3 get as many in all, equally far apart along all axes. That lattice can be refined; one
+/// that was asked for cannot.
 ///
-/// \param coarse whether places, as opposed to angles and rotations, get twice that spacing: from five axes on, where
-/// none was asked for.
+/// \param coarse whether all but rotations and cars, and but angles beside many other axes, get twice that spacing,
+/// where none was asked for.
 ///
 /// \throws ompl::Exception where an axis has no bounds, or the settings do not fit the space.
 [[nodiscard]] Components makeComponents(const Decomposition& decomposition, const PlannerSettings& settings,
