@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <vector>
 
 #include "Plane.h"
 #include "specplan/speculation/DirectionPolicy.h"
@@ -36,6 +38,18 @@ struct AStarOnPlane : Plane
     speculation::DirectionPolicy policy;
     search::AStar search;
 };
+
+TEST(AStar, TellsHowMuchOfTheWayLiesBehindIt)
+{
+    AStarOnPlane plane(1, false);
+    std::vector<double> progress;
+    plane.search.setObserver([&](lattice::NodeId) { progress.push_back(plane.broker->progress()); });
+    ASSERT_EQ(plane.run(), SearchStatus::Solved);
+    ASSERT_GT(progress.size(), 10U);
+    EXPECT_EQ(progress.front(), 0.0);
+    EXPECT_TRUE(std::ranges::is_sorted(progress));
+    EXPECT_EQ(progress.back(), 1.0);
+}
 
 TEST(AStar, StopIsAskedOncePerExpansionAndTheSearchGoesOn)
 {

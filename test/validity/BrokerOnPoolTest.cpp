@@ -131,6 +131,35 @@ TEST_F(BrokerOnPool, NobodyElseIsStartedForFiveMillisecondsOfChecks)
     EXPECT_NEAR(broker.now(), 5.4e-3, 1e-9);
 }
 
+TEST_F(BrokerOnPool, ASearchThatIsFarFromItsGoalStartsOthersSooner)
+{
+    ofState = 100e-6;
+    broker.beginSearch();
+    std::uint32_t node = 0;
+    const auto demandUntil = [&](double seconds)
+    {
+        for (; broker.now() < seconds - 1e-9; node += 2)
+            demand({stateCheck(2 * node), stateCheck(2 * node + 2)});
+        return broker.statistics().usedInline == broker.statistics().checksUsed;
+    };
+    broker.noteProgress(0.02);
+    EXPECT_TRUE(demandUntil(0.4e-3)) << "too early to tell";
+    broker.noteProgress(0.5);
+    EXPECT_TRUE(demandUntil(2e-3)) << "as much again is not worth a thread";
+    broker.noteProgress(0.2);
+    EXPECT_FALSE(demandUntil(2.4e-3)) << "four times as much is";
+
+    // Another search begins, with progress of its own.
+    broker.settle();
+    broker.beginQuery();
+    broker.beginSearch();
+    const double before = broker.now();
+    EXPECT_TRUE(demandUntil(before + 0.4e-3));
+    broker.noteProgress(0.01);
+    EXPECT_TRUE(demandUntil(before + 0.4e-3)) << "what came before was another way";
+    EXPECT_FALSE(demandUntil(before + 1e-3));
+}
+
 TEST_F(BrokerOnPool, LongChecksAreHandedOutFromTheSecondOn)
 {
     ofState = 400e-6;

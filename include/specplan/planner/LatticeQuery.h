@@ -113,6 +113,17 @@ public:
         return lattice_;
     }
 
+    [[nodiscard]] lattice::Lattice& lattice() noexcept
+    {
+        return lattice_;
+    }
+
+    /// Lower bounds of the way to the goals.
+    [[nodiscard]] const lattice::Heuristic& heuristic() const noexcept
+    {
+        return heuristic_;
+    }
+
     [[nodiscard]] const Embedding& embedding() const noexcept
     {
         return embedding_;
