@@ -80,8 +80,8 @@ struct Row
 Row solve(const problems::RigidBodySetup& problem, Kind kind, double weight)
 {
     const auto setup = problem.makeSetup();
-    setup->setup();
     const ob::SpaceInformationPtr& si = setup->getSpaceInformation();
+    si->setup();
     PlannerSettings settings;
     settings.evaluation = kind == Kind::Lazy ? "lazy" : "eager";
     planner::OmplChecker checker(*si, 1);

@@ -119,6 +119,41 @@ TEST_F(BrokerOnPool, TheSearchThreadKeepsOneCheckForItself)
     EXPECT_EQ(broker.statistics().usedAfterWait, 1U);
 }
 
+TEST_F(BrokerOnPool, OneOutlierDoesNotFlipTheModeButALastingChangeDoes)
+{
+    broker.setWarmUp(0.0);
+    std::uint32_t node = 0;
+    const auto handedOut = [&](double seconds, int pairs)
+    {
+        ofState = seconds;
+        const std::uint64_t before = broker.statistics().speculativeChecks + broker.statistics().usedAfterWait;
+        for (; pairs > 0; --pairs, node += 2)
+            demand({stateCheck(2 * node), stateCheck(2 * node + 2)});
+        return broker.statistics().speculativeChecks + broker.statistics().usedAfterWait - before;
+    };
+    EXPECT_EQ(handedOut(0.5e-6, 50), 0U);
+    ofState = 2e-3;
+    demand({stateCheck(1000000)});
+    EXPECT_EQ(handedOut(0.5e-6, 50), 0U) << "after an outlier";
+    EXPECT_GE(handedOut(100e-6, 40), 20U) << "a lasting change";
+    handedOut(0.5e-6, 60);
+    EXPECT_EQ(handedOut(0.5e-6, 50), 0U) << "and back again";
+}
+
+TEST_F(BrokerOnPool, AFewLongChecksAmongManyShortOnesAreHandedOut)
+{
+    broker.setWarmUp(0.0);
+    for (std::uint32_t round = 0; round < 300; ++round)
+    {
+        ofState = 0.5e-6;
+        for (std::uint32_t k = 0; k < 4; ++k)
+            demand({stateCheck(20 * round + 2 * k)});
+        ofState = 1e-3;
+        demand({stateCheck(20 * round + 8), stateCheck(20 * round + 10)});
+    }
+    EXPECT_GE(broker.statistics().usedAfterWait, 200U);
+}
+
 TEST_F(BrokerOnPool, NobodyElseIsStartedForFiveMillisecondsOfChecks)
 {
     ofState = 200e-6;
