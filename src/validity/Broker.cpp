@@ -13,8 +13,9 @@ namespace
 {
 /// How long a wait may last before the interrupt is asked again.
 constexpr std::chrono::milliseconds kPatience{50};
-/// What it costs to start a thread and to get it going, about. A check that takes longer is handed out all the same.
-constexpr double kStart = 250e-6;
+/// What it costs to start a thread, to get it going and to fill its caches, about. A check that takes longer is handed
+/// out all the same.
+constexpr double kStart = 700e-6;
 /// A search has to be as old as this (seconds of checks) for its progress to tell how long it will take.
 constexpr double kTelling = 500e-6;
 }  // namespace

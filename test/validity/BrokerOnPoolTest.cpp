@@ -154,16 +154,16 @@ TEST_F(BrokerOnPool, AFewLongChecksAmongManyShortOnesAreHandedOut)
     EXPECT_GE(broker.statistics().usedAfterWait, 200U);
 }
 
-TEST_F(BrokerOnPool, NobodyElseIsStartedForFiveMillisecondsOfChecks)
+TEST_F(BrokerOnPool, NobodyElseIsStartedForSevenMillisecondsOfChecks)
 {
     ofState = 200e-6;
-    for (std::uint32_t node = 0; node < 26; node += 2)
+    for (std::uint32_t node = 0; node < 36; node += 2)
         demand({stateCheck(2 * node), stateCheck(2 * node + 2)});
-    EXPECT_EQ(broker.statistics().usedInline, 26U);
-    EXPECT_NEAR(broker.now(), 5.2e-3, 1e-9);
+    EXPECT_EQ(broker.statistics().usedInline, 36U);
+    EXPECT_NEAR(broker.now(), 7.2e-3, 1e-9);
     demand({stateCheck(100), stateCheck(102)});
-    EXPECT_EQ(broker.statistics().usedInline, 27U);
-    EXPECT_NEAR(broker.now(), 5.4e-3, 1e-9);
+    EXPECT_EQ(broker.statistics().usedInline, 37U);
+    EXPECT_NEAR(broker.now(), 7.4e-3, 1e-9);
 }
 
 TEST_F(BrokerOnPool, ASearchThatIsFarFromItsGoalStartsOthersSooner)
@@ -197,11 +197,11 @@ TEST_F(BrokerOnPool, ASearchThatIsFarFromItsGoalStartsOthersSooner)
 
 TEST_F(BrokerOnPool, LongChecksAreHandedOutFromTheSecondOn)
 {
-    ofState = 400e-6;
+    ofState = 800e-6;
     demand({stateCheck(0)});
     demand({stateCheck(2), stateCheck(4)});
     EXPECT_EQ(broker.statistics().usedInline, 2U);
-    EXPECT_NEAR(broker.now(), 0.8e-3, 1e-9);
+    EXPECT_NEAR(broker.now(), 1.6e-3, 1e-9);
 }
 
 TEST_F(BrokerOnPool, WhatIsCheaperThanHandingOverRunsAheadHere)

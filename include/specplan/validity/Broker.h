@@ -165,7 +165,7 @@ private:
     bool barrier_ = false;
     bool sourceListens_ = true;  ///< the source has been told every verdict
     bool sawInvalid_ = false;    ///< since queued checks were last looked through
-    double warmUp_ = 5e-3;
+    double warmUp_ = 7e-3;
     std::uint64_t submitted_ = 0;   ///< to other threads
     std::optional<double> leftAt_;  ///< time at which the search last had checks handed out; none between searches
     unsigned chances_ = 0;          ///< how often it could have since
