@@ -107,11 +107,11 @@ private:
     [[nodiscard]] bool isFoundBefore(lattice::NodeId from, double g, const Node& end) const;
     void push(lattice::NodeId id);
     void emit(lattice::CheckId check, lattice::NodeId from);
+    void emitMotionTo(lattice::NodeId id, lattice::NodeId from);
 
-    // Repair.
+    // Repair: RunAheadRepair.cpp.
     void confirmState(lattice::NodeId id);
     void confirmMotion(lattice::NodeId id);
-    void emitMotionTo(lattice::NodeId id, lattice::NodeId from);
     void emitGuardsOf(lattice::NodeId id);
     void raise(lattice::NodeId root, double known, double delay);
     [[nodiscard]] double delayFor(double probability) const;
