@@ -24,7 +24,7 @@ constexpr double kSegmentSlack = 1.0 - 1e-9;
 constexpr double kMaxUnits = 1 << 30;
 constexpr std::size_t kMaxAxesForAllCorners = 10;
 /// Axes handled without allocation; more are possible.
-constexpr std::size_t kFewAxes = 16;
+constexpr std::size_t kAxesOnStack = 16;
 
 /// Distance of two places along an axis, in units.
 double distanceAlong(const lattice::Axis& axis, double a, double b)
@@ -148,8 +148,8 @@ double AxesComponent::coarseness() const
 
 void AxesComponent::write(const Coordinate* node, ob::State* state) const
 {
-    double few[kFewAxes];
-    std::vector<double> many(axes_.size() > kFewAxes ? axes_.size() : 0);
+    double few[kAxesOnStack];
+    std::vector<double> many(axes_.size() > kAxesOnStack ? axes_.size() : 0);
     double* values = many.empty() ? few : many.data();
     for (std::size_t i = 0; i < axes_.size(); ++i)
     {
@@ -240,8 +240,8 @@ Component::Target AxesComponent::target(const ob::State* state, bool) const
 
 double AxesComponent::lowerBound(const Coordinate* node, const Target& target) const
 {
-    double few[kFewAxes];
-    std::vector<double> many(axes_.size() > kFewAxes ? axes_.size() : 0);
+    double few[kAxesOnStack];
+    std::vector<double> many(axes_.size() > kAxesOnStack ? axes_.size() : 0);
     const std::span<double> distance(many.empty() ? few : many.data(), axes_.size());
     double squared = 0.0;
     for (std::size_t i = 0; i < axes_.size(); ++i)
