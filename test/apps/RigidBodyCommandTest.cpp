@@ -71,9 +71,9 @@ TEST_F(RigidBodyCommand, PlanWritesPictureTraceAndPath)
 
 TEST_F(RigidBodyCommand, PlanRefinesUntilThereIsAPath)
 {
-    // A door hardly wider than the robot, halfway between two lines of the first lattice, which is 0.177 wide.
-    problems::Mesh room = boxMesh({4.9, -0.2, 0.0}, {5.1, 2.99, 3.0});
-    problems::addBox(room, {4.9, 3.41, 0.0}, {5.1, 10.2, 3.0});
+    // A door hardly wider than the robot, halfway between two lines of the first lattice; they are 0.174 apart.
+    problems::Mesh room = boxMesh({4.9, -0.2, 0.0}, {5.1, 3.008, 3.0});
+    problems::addBox(room, {4.9, 3.428, 0.0}, {5.1, 10.2, 3.0});
     problems::addBox(room, {-0.2, -0.4, 0.0}, {10.2, -0.2, 3.0});
     problems::addBox(room, {-0.2, 10.2, 0.0}, {10.2, 10.4, 3.0});
     problems::writeObj(room_.folder / "room.obj", room);
