@@ -131,6 +131,7 @@ bool run(const std::filesystem::path& folder)
 {
     og::SimpleSetup setup = makeSetup();
     auto planner = std::make_shared<specplan::SpeculativeAStar>(setup.getSpaceInformation());
+    planner->params().setParam("spacing", "0.15");  // of places, m; the windows leave the body 0.2 m
     setup.setPlanner(planner);
     const ob::PlannerStatus status = setup.solve(30.0);
     const bool solved = status == ob::PlannerStatus::EXACT_SOLUTION && setup.getSolutionPath().check();
