@@ -3,7 +3,6 @@
 // time on the processor, and costs of A*, of the lazy A* that the lazy search is compared with, and of the lazy search,
 // one thread each, on the lattice that the planner chooses.
 #include <array>
-#include <cmath>
 #include <ctime>
 #include <exception>
 #include <iomanip>
@@ -29,14 +28,13 @@ using validity::CheckId;
 class CountingChecker : public validity::Checker
 {
 public:
-    CountingChecker(planner::OmplChecker& checker, const lattice::Lattice& lattice)
-        : checker_(checker), lattice_(lattice)
+    explicit CountingChecker(planner::OmplChecker& checker) : checker_(checker)
     {
     }
 
     bool check(CheckId check, unsigned worker) override
     {
-        ++(!check.isMotion() ? states : lattice_.isGlance(check.motion()) ? glances : motions);
+        ++(!check.isMotion() ? states : checker_.lattice().isGlance(check.motion()) ? glances : motions);
         const bool valid = checker_.check(check, worker);
         looks += checker_.statesOfLastCheck(worker);
         return valid;
@@ -49,19 +47,6 @@ public:
 
 private:
     planner::OmplChecker& checker_;
-    const lattice::Lattice& lattice_;
-};
-
-/// Passes checks on to whoever is to run them, who is known later than the executor.
-class Relay : public validity::Checker
-{
-public:
-    bool check(CheckId check, unsigned worker) override
-    {
-        return to->check(check, worker);
-    }
-
-    validity::Checker* to = nullptr;
 };
 
 enum class Kind
@@ -89,14 +74,12 @@ Row solve(const problems::RigidBodySetup& problem, Kind kind, double weight)
     PlannerSettings settings;
     settings.evaluation = kind == Kind::Lazy ? "lazy" : "eager";
     planner::OmplChecker checker(*si, 1);
-    Relay relay;
-    validity::InlineExecutor executor(relay);
+    CountingChecker counting(checker);
+    validity::InlineExecutor executor(counting);
     const ob::State* start = setup->getProblemDefinition()->getStartState(0);
     const ob::State* goal = setup->getGoal()->as<ob::GoalState>()->getState();
     LatticeQuery query(*si, setup->getOptimizationObjective(), settings, executor, checker,
                        {{si->getStateValidityChecker()}, {si->getMotionValidator()}}, start, false);
-    CountingChecker counting(checker, query.lattice());
-    relay.to = &counting;
     query.addStart(start);
     query.setGoal(setup->getGoal(), false);
     query.addGoal(goal);
