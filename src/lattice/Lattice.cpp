@@ -225,13 +225,19 @@ bool Lattice::hasMotions(NodeId node) const noexcept
 void Lattice::neighbours(NodeId node, std::vector<NodeId>& out)
 {
     out.clear();
+    if (!isTerminal(node))
+        addEnds(node, out);
+    if (const auto made = handMade_.find(node); made != handMade_.end())
+        for (const HandMade& edge : made->second)
+            if (edge.connected)
+                out.push_back(edge.to);
+}
+
+/// The ends of the steps, without what they cost.
+void Lattice::addEnds(NodeId node, std::vector<NodeId>& out)
+{
     if (!knowsNeighbours(node))
-    {
-        successors(node, successors_);
-        for (const Successors::Edge& edge : successors_.edges)
-            out.push_back(edge.node);
-        return;
-    }
+        meet(node);
     const auto add = [&out](NodeId end)
     {
         if (end != kNoNode)
@@ -242,10 +248,6 @@ void Lattice::neighbours(NodeId node, std::vector<NodeId>& out)
             add(motions_[motion].to);
     else
         std::for_each_n(tables_.ends.find(node), tables_.ends.width(), add);
-    if (const auto made = handMade_.find(node); made != handMade_.end())
-        for (const HandMade& edge : made->second)
-            if (edge.connected)
-                out.push_back(edge.to);
 }
 
 void Lattice::addHandMade(NodeId node, Successors& out) const

@@ -9,13 +9,8 @@ namespace specplan::lattice
 {
 namespace
 {
-constexpr std::size_t kFirstSlots = 4096;
 constexpr std::size_t kMaxNodes = std::size_t{1} << 31;  // the upper half of NodeId marks motions in check ids
 
-std::uint32_t tagOf(std::uint64_t hash) noexcept
-{
-    return static_cast<std::uint32_t>(hash >> 32);
-}
 /// For rows of a few numbers a loop is faster than memcmp.
 bool sameRow(const Coordinate* a, const Coordinate* b, std::size_t size) noexcept
 {
@@ -26,14 +21,15 @@ bool sameRow(const Coordinate* a, const Coordinate* b, std::size_t size) noexcep
 }
 }  // namespace
 
-NodeTable::NodeTable(std::size_t dimension) : dimension_(dimension), rows_(dimension), slots_(kFirstSlots)
+NodeTable::NodeTable(std::size_t dimension)
+    : dimension_(dimension), rows_(dimension), slots_(std::size_t{1} << kFirstBits)
 {
 }
 
 std::size_t NodeTable::probe(const Coordinate* coordinates, std::uint64_t hash) const noexcept
 {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t place = hash & mask;
+    std::size_t place = placeOf(tagOf(hash));
     while (slots_[place].node != kNoNode)
     {
         const Slot& slot = slots_[place];
@@ -67,15 +63,17 @@ NodeId NodeTable::find(const Coordinate* coordinates) const noexcept
     return slots_[probe(coordinates, util::hashCoordinates({coordinates, dimension_}))].node;
 }
 
+/// Places go by the upper bits of the tag: so both tables are walked through in order and no row is looked at.
 void NodeTable::grow()
 {
-    std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(slots_.size() * 2));
+    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(slots_.size() * 2));
+    --placeShift_;
     const std::size_t mask = slots_.size() - 1;
     for (const Slot& slot : old)
     {
         if (slot.node == kNoNode)
             continue;
-        std::size_t place = util::hashCoordinates(coordinates(slot.node)) & mask;
+        std::size_t place = placeOf(slot.tag);
         while (slots_[place].node != kNoNode)
             place = (place + 1) & mask;
         slots_[place] = slot;

@@ -293,7 +293,7 @@ void AStar::noteExpansion(NodeId node)
 AStar::Node& AStar::touch(NodeId node)
 {
     if (node >= nodes_.size())
-        nodes_.resize(std::max<std::size_t>(lattice_.size(), nodes_.size() * 2));
+        nodes_.growTo(lattice_.size());
     if (!isAsked(nodes_[node].h))
         nodes_[node].h = heuristic_.estimate(node);
     return nodes_[node];

@@ -446,8 +446,8 @@ LazyTree::Node& LazyTree::touch(NodeId id)
 {
     if (id >= nodes_.size())
     {
-        nodes_.resize(std::max<std::size_t>(lattice_.size(), nodes_.size() * 2));
-        details_.resize(nodes_.size());
+        nodes_.growTo(lattice_.size());
+        details_.growTo(lattice_.size());
     }
     if (Details& details = details_[id]; details.h < 0.0)
     {

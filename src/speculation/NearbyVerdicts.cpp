@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/speculation/NearbyVerdicts.h"
 
-#include <algorithm>
-
 namespace specplan::speculation
 {
 namespace
@@ -35,8 +33,7 @@ void NearbyVerdicts::meet(lattice::NodeId node)
     if (lattice_.maxSteps() > kMostNeighbours)
         return;
     lattice_.neighbours(node, neighbours_);
-    if (counts_.size() < lattice_.size())
-        counts_.resize(std::max(lattice_.size(), counts_.size() * 2));
+    counts_.growTo(lattice_.size());
 }
 
 std::uint16_t& NearbyVerdicts::countOf(lattice::NodeId node, bool valid)

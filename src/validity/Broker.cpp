@@ -269,7 +269,7 @@ void Broker::noteReady(Entry& entry)
 void Broker::feed()
 {
     ++chances_;
-    if (source_ == nullptr || !sourceListens_ || !executor_.runsDry())
+    if (source_ == nullptr || allCheap() || !executor_.runsDry())
         return;
     collect(std::chrono::milliseconds{0});
     if (!source_->keepsAsking())

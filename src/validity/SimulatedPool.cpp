@@ -70,7 +70,7 @@ unsigned SimulatedPool::room() const noexcept
 bool SimulatedPool::runsDry()
 {
     const Call call(*this);
-    return demanded_.empty() && speculative_.empty() && !finished_.empty();
+    return demanded_.empty() && speculative_.empty() && started_ > 0 && (inHand() == 0 || !finished_.empty());
 }
 
 void SimulatedPool::submit(CheckId check, Urgency urgency)

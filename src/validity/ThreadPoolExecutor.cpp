@@ -104,7 +104,7 @@ unsigned ThreadPoolExecutor::room() const noexcept
 
 bool ThreadPoolExecutor::runsDry()
 {
-    return queued() == 0 && done_.load(std::memory_order_relaxed) > 0;
+    return queued() == 0 && !threads_.empty() && (inHand_ == 0 || done_.load(std::memory_order_relaxed) > 0);
 }
 
 void ThreadPoolExecutor::submit(CheckId check, Urgency urgency)

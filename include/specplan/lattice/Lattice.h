@@ -235,6 +235,7 @@ private:
     template <typename KnownEnd>
     void internEnds(KnownEnd known);
     void meet(NodeId node);
+    void addEnds(NodeId node, std::vector<NodeId>& out);
     void addSteps(NodeId node, Successors& out);
     void addPatterns(NodeId node, std::span<const Neighbourhood::Pattern> patterns, Successors& out);
     template <typename EndOf>
@@ -257,7 +258,6 @@ private:
     std::size_t terminals_ = 0;
     Steps steps_;                      ///< scratch of successors()
     std::vector<UnknownEnd> unknown_;  ///< scratch of internEnds()
-    Successors successors_;            ///< scratch of neighbours()
     std::vector<Coordinate> next_;
 };
 }  // namespace specplan::lattice

@@ -51,13 +51,13 @@ public:
     [[nodiscard]] std::uint64_t hashOf(const Coordinate* coordinates) const noexcept
     {
         const std::uint64_t hash = util::hashCoordinates({coordinates, dimension_});
-        __builtin_prefetch(&slots_[hash & (slots_.size() - 1)]);
+        __builtin_prefetch(&slots_[placeOf(tagOf(hash))]);
         return hash;
     }
 
     void fetchRow(std::uint64_t hash) const noexcept
     {
-        if (const Slot& slot = slots_[hash & (slots_.size() - 1)]; slot.node != kNoNode)
+        if (const Slot& slot = slots_[placeOf(tagOf(hash))]; slot.node != kNoNode)
             __builtin_prefetch(rows_.row(slot.node));
     }
 
@@ -78,11 +78,25 @@ private:
         NodeId node = kNoNode;
     };
 
+    static constexpr unsigned kFirstBits = 12;
+
+    [[nodiscard]] static std::uint32_t tagOf(std::uint64_t hash) noexcept
+    {
+        return static_cast<std::uint32_t>(hash >> 32);
+    }
+
+    /// Where a slot with this tag is looked for first.
+    [[nodiscard]] std::size_t placeOf(std::uint32_t tag) const noexcept
+    {
+        return tag >> placeShift_;
+    }
+
     [[nodiscard]] std::size_t probe(const Coordinate* coordinates, std::uint64_t hash) const noexcept;
     void grow();
 
     std::size_t dimension_;
     util::SegmentedRows<Coordinate> rows_;
     std::vector<Slot> slots_;  ///< size is a power of two, at most half full
+    unsigned placeShift_ = 32 - kFirstBits;
 };
 }  // namespace specplan::lattice

@@ -13,6 +13,7 @@
 #include "specplan/search/LatticeSearch.h"
 #include "specplan/speculation/FrontierView.h"
 #include "specplan/speculation/Policy.h"
+#include "specplan/util/GrowingArray.h"
 #include "specplan/util/OpenList.h"
 #include "specplan/validity/Broker.h"
 
@@ -218,7 +219,7 @@ private:
     std::function<void(NodeId)> observer_;
     std::function<bool(NodeId)> goalTest_;
 
-    std::vector<Node> nodes_;
+    util::GrowingArray<Node> nodes_;
     std::vector<TentativeWay> ways_;
     std::uint32_t unusedWays_ = kNoWay;  ///< list of those dropped
     util::OpenList open_;

@@ -9,6 +9,7 @@
 
 #include "specplan/lattice/Heuristic.h"
 #include "specplan/lattice/Lattice.h"
+#include "specplan/util/GrowingArray.h"
 #include "specplan/util/OpenList.h"
 #include "specplan/util/RowPool.h"
 #include "specplan/util/SegmentedRows.h"
@@ -215,8 +216,8 @@ private:
     const lattice::Heuristic& heuristic_;
     double weight_;
     double unit_ = 0.0;  ///< costs are multiples of it; 0 before the first start
-    std::vector<Node> nodes_;
-    std::vector<Details> details_;  ///< parallel to nodes_
+    util::GrowingArray<Node> nodes_;
+    util::GrowingArray<Details> details_;  ///< parallel to nodes_
     util::SegmentedRows<Edge> edges_;
     util::RowPool<Into> into_;
     std::vector<CheckId> inner_;              ///< checks of motions that have several; the first is not used

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "specplan/lattice/Lattice.h"
+#include "specplan/util/GrowingArray.h"
 
 namespace specplan::speculation
 {
@@ -37,7 +38,7 @@ private:
     void meet(lattice::NodeId node);
 
     lattice::Lattice& lattice_;
-    std::vector<Counts> counts_;  ///< by node
+    util::GrowingArray<Counts> counts_;  ///< by node
     std::vector<lattice::NodeId> neighbours_;
 };
 }  // namespace specplan::speculation

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 
 namespace specplan::util
 {
@@ -16,6 +17,8 @@ namespace specplan::util
 template <typename T>
 class SegmentedRows
 {
+    static_assert(std::is_trivially_destructible_v<T>);
+
 public:
     /// \param width number of elements of a row, at least 1.
     explicit SegmentedRows(std::size_t width = 1) : width_(width)
@@ -33,9 +36,12 @@ public:
     {
         const auto [segment, offset] = locate(size_);
         if (!segments_[segment])
-            segments_[segment] = std::make_unique<T[]>((kFirst << segment) * width_);
+            segments_[segment] = allocate((kFirst << segment) * width_);
+        // Made row by row: a whole segment at once would hold the owner up, and take memory that may never be used.
+        T* const row = segments_[segment].get() + offset * width_;
+        std::uninitialized_value_construct_n(row, width_);
         ++size_;
-        return segments_[segment].get() + offset * width_;
+        return row;
     }
 
     /// Appends rows until there are at least `size`.
@@ -83,11 +89,28 @@ private:
         return {segment, shifted - (kFirst << segment)};
     }
 
+    /// Frees what allocate() got.
+    struct Free
+    {
+        std::size_t count = 0;
+
+        void operator()(T* segment) const noexcept
+        {
+            std::allocator<T>().deallocate(segment, count);
+        }
+    };
+    using Segment = std::unique_ptr<T, Free>;
+
+    [[nodiscard]] static Segment allocate(std::size_t count)
+    {
+        return Segment(std::allocator<T>().allocate(count), Free{count});
+    }
+
     static constexpr std::size_t kFirst = 1024;
     static constexpr std::size_t kFirstWidth = std::bit_width(kFirst);
 
     std::size_t width_;
     std::size_t size_ = 0;
-    std::array<std::unique_ptr<T[]>, 33> segments_;
+    std::array<Segment, 33> segments_;
 };
 }  // namespace specplan::util
