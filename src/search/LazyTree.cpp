@@ -388,8 +388,6 @@ void LazyTree::enter(CheckId check, bool valid)
     const Verdict verdict = valid ? Verdict::Valid : Verdict::Invalid;
     if (check.isMotion())
     {
-        if (check.motion() >= motions_.size())
-            motions_.resize(std::max<std::size_t>(check.motion() + std::size_t{1}, motions_.size() * 2));
         motions_[check.motion()] = verdict;
         if (!valid)
         {
@@ -407,7 +405,10 @@ void LazyTree::enter(CheckId check, bool valid)
 Verdict LazyTree::verdict(CheckId check) const noexcept
 {
     if (check.isMotion())
-        return check.motion() < motions_.size() ? motions_[check.motion()] : Verdict::Unknown;
+    {
+        const Verdict* verdict = motions_.find(check.motion());
+        return verdict != nullptr ? *verdict : Verdict::Unknown;
+    }
     return check.node() < nodes_.size() ? nodes_[check.node()].verdict : Verdict::Unknown;
 }
 

@@ -11,6 +11,7 @@
 #include "specplan/lattice/Lattice.h"
 #include "specplan/util/GrowingArray.h"
 #include "specplan/util/OpenList.h"
+#include "specplan/util/PagedTable.h"
 #include "specplan/util/RowPool.h"
 #include "specplan/util/SegmentedRows.h"
 #include "specplan/validity/Verdict.h"
@@ -222,7 +223,7 @@ private:
     util::RowPool<Into> into_;
     std::vector<CheckId> inner_;              ///< checks of motions that have several; the first is not used
     std::vector<std::uint32_t> innerCounts_;  ///< parallel to inner_: number of checks from there on in their motion
-    std::vector<validity::Verdict> motions_;
+    util::PagedTable<validity::Verdict> motions_;
     std::vector<NodeId> goals_;
     NodeId nearestGoal_ = lattice::kNoNode;
     bool goalsChanged_ = true;

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "specplan/lattice/CheckId.h"
-#include "specplan/util/SegmentedRows.h"
+#include "specplan/util/PagedTable.h"
 #include "specplan/validity/Verdict.h"
 
 namespace specplan::validity
@@ -32,11 +32,7 @@ public:
     /// The entry of a check, made on first touch.
     [[nodiscard]] Entry& operator[](lattice::CheckId check)
     {
-        auto& table = check.isMotion() ? motions_ : states_;
-        const std::size_t index = check.isMotion() ? check.motion() : check.node();
-        if (index >= table.size())
-            table.growTo(index + 1);
-        return table[index];
+        return check.isMotion() ? motions_[check.motion()] : states_[check.node()];
     }
 
     [[nodiscard]] Verdict verdict(lattice::CheckId check) const noexcept
@@ -55,12 +51,10 @@ public:
 private:
     [[nodiscard]] const Entry* find(lattice::CheckId check) const noexcept
     {
-        const auto& table = check.isMotion() ? motions_ : states_;
-        const std::size_t index = check.isMotion() ? check.motion() : check.node();
-        return index < table.size() ? &table[index] : nullptr;
+        return check.isMotion() ? motions_.find(check.motion()) : states_.find(check.node());
     }
 
-    util::SegmentedRows<Entry> states_;
-    util::SegmentedRows<Entry> motions_;
+    util::PagedTable<Entry> states_;
+    util::PagedTable<Entry> motions_;
 };
 }  // namespace specplan::validity
