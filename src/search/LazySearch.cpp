@@ -13,7 +13,7 @@ using validity::Verdict;
 namespace
 {
 /// Nodes expanded between two questions whether to stop, and whether workers run dry.
-constexpr std::size_t kPortion = 256;
+constexpr std::size_t kPortion = 64;
 
 /// Nodes that one guess may cost before it is left alone until it is known.
 constexpr std::size_t kMostForGuess = 20000;
@@ -318,7 +318,10 @@ void LazySearch::propose(std::size_t count, std::vector<CheckId>& out)
     stuck_ = stuck_ && !guesses_.empty();
     for (std::size_t steps = 4 * count + 16; out.size() < most && steps > 0 && !stuck_; --steps)
     {
-        const Plan plan = this->plan(kMostForGuess);
+        Plan plan = Plan::Unfinished;
+        while ((plan = this->plan(kPortion)) == Plan::Unfinished && (spentOnGuess_ += kPortion) < kMostForGuess)
+            if (broker_.workersRunDry())
+                return;  // goes on when asked again
         stuck_ = plan == Plan::Unfinished;
         if (stuck_ || plan == Plan::NoWay)
             return;
@@ -340,6 +343,8 @@ void LazySearch::propose(std::size_t count, std::vector<CheckId>& out)
                                 probabilityValid(check)});
         }
         guess(guessed_);
+        if (broker_.workersRunDry())
+            return;  // what there is now is of more use than more of it later
     }
 }
 
@@ -354,6 +359,7 @@ bool LazySearch::isLikely(CheckId check) const
 /// Goes on as if the checks of one decision had come out like this.
 void LazySearch::guess(std::span<const Foreseen> decision)
 {
+    spentOnGuess_ = 0;
     for (const Foreseen& foreseen : decision)
     {
         guesses_.push_back({{foreseen}, &foreseen == &decision.back(), suspects_, {}});
@@ -419,6 +425,7 @@ void LazySearch::takeBack(std::size_t first)
     plan_ = Plan::Unfinished;
     pathHolds_ = false;
     stuck_ = false;
+    spentOnGuess_ = 0;
 }
 
 void LazySearch::learned(CheckId check, bool valid)

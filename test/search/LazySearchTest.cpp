@@ -196,8 +196,11 @@ TEST(LazySearch, AtHandIsAlsoWhatIsDoubtfulFarBehindTheFrontOfOpen)
     };
     search.addStart(node(5, 100, 100));
     search.addGoal(node(195, 100, 100));
-    const auto decide = [&search](int decisions)
-    { ASSERT_EQ(search.run([&] { return decisions-- == 0; }), SearchStatus::Stopped); };
+    const auto decide = [&search](std::uint64_t decisions)
+    {
+        const std::uint64_t end = search.decisions() + decisions;
+        ASSERT_EQ(search.run([&] { return search.decisions() >= end; }), SearchStatus::Stopped);
+    };
     const auto atHand = [&search]
     {
         constexpr std::size_t kAll = 100000;

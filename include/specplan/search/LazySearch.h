@@ -223,6 +223,7 @@ private:
     std::vector<CheckId> unknownMotions_;
     std::vector<NodeId> suspects_;  ///< doubtful nodes that ways may lead through
     std::deque<Guess> guesses_;     ///< in order of deciding; what is committed is off the list
+    std::size_t spentOnGuess_ = 0;  ///< nodes expanded since the last guess
     bool stuck_ = false;            ///< the last guess takes more work than a guess is worth
     std::uint64_t decisions_ = 0;
     std::uint64_t steps_ = 0;

@@ -83,6 +83,12 @@ public:
     /// they do not. `demand` does the same when all is known.
     void feed();
 
+    /// Whether workers have nothing left to begin: a source that is thinking should come to an end. Cheap.
+    [[nodiscard]] bool workersRunDry()
+    {
+        return executor_.runsDry();
+    }
+
     /// Hands a check out ahead of demand.
     /// \return false if it is known, in flight, failed, or the executor runs inline.
     bool prefetch(CheckId check);
