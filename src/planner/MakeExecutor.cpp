@@ -32,6 +32,8 @@ std::unique_ptr<validity::Executor> makeExecutor(const PlannerSettings& settings
                                                            { return cost * checker.statesOfLastCheck(0); });
     if (threads == 1)
         return std::make_unique<validity::InlineExecutor>(first);
-    return std::make_unique<validity::ThreadPoolExecutor>(first, threads);
+    auto pool = std::make_unique<validity::ThreadPoolExecutor>(first, threads);
+    pool->startThreads();
+    return pool;
 }
 }  // namespace specplan::planner

@@ -52,6 +52,12 @@ bool isRegion(const ob::Goal& goal)
 }
 }  // namespace
 
+void PlannerSession::prepare()
+{
+    if (!query)  // it would keep the executor that it was made with
+        ensureExecutor();
+}
+
 void PlannerSession::reset()
 {
     resetQuery();

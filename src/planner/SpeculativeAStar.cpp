@@ -65,6 +65,7 @@ void SpeculativeAStar::checkValidity()
 void SpeculativeAStar::setup()
 {
     ob::Planner::setup();
+    session_->prepare();
 }
 
 void SpeculativeAStar::clear()

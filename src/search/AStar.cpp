@@ -274,16 +274,6 @@ speculation::FrontierView::Way AStar::bestWay(NodeId node) const noexcept
 
 void AStar::noteExpansion(NodeId node)
 {
-    if (const double wayToGo = nodes_[node].h; expansions_ == 0)
-    {
-        wholeWay_ = nearest_ = wayToGo;
-        broker_.beginSearch();
-    }
-    else if (wayToGo < nearest_)
-    {
-        nearest_ = wayToGo;
-        broker_.noteProgress(1.0 - wayToGo / wholeWay_);
-    }
     ++expansions_;
     orderHash_ = util::mix(orderHash_, util::hashCoordinates(lattice_.coordinates(node)));
     if (observer_)

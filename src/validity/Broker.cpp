@@ -13,11 +13,9 @@ namespace
 {
 /// How long a wait may last before the interrupt is asked again.
 constexpr std::chrono::milliseconds kPatience{50};
-/// What it costs to start a thread, to get it going and to fill its caches, about. A check that takes longer is handed
-/// out all the same.
-constexpr double kStart = 700e-6;
-/// A search has to be as old as this (seconds of checks) for its progress to tell how long it will take.
-constexpr double kTelling = 500e-6;
+/// What it costs to wake a thread that has not done anything yet, about. A check that takes longer is handed out all
+/// the same.
+constexpr double kWake = 100e-6;
 }  // namespace
 
 /// Notes by how much handing checks over takes longer than usual. The first ones start threads: they do not count.
@@ -87,19 +85,9 @@ bool Broker::demandMissing(std::span<const CheckId> checks)
 bool Broker::shouldRunHere(CheckId check) const
 {
     const CostMeter& cost = cost_[check.isMotion() ? 1 : 0];
-    const bool early = cost.mean() < kStart && warmsUp();
+    const bool early = cost.mean() < kWake && secondsEver_ < warmUp_;
     return executor_.runsInline() ||
            ((cost.isCheap() || cost.knowsNothing() || early || accounts_.workersRest()) && executor_.canRunHere());
-}
-
-/// Whether the search may be over before threads that are started now have been worth it.
-bool Broker::warmsUp() const
-{
-    if (secondsEver_ >= warmUp_)
-        return false;
-    // The rest of the way takes at least as long for its length as the first part.
-    const double seconds = secondsEver_ - secondsBefore_;
-    return seconds < kTelling || progress_ == 0.0 || !(seconds * (1.0 - progress_) > warmUp_ * progress_);
 }
 
 /// Runs those missing checks in this thread for which that is the better way, and takes them off the list.

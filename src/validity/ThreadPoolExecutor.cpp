@@ -81,6 +81,12 @@ ThreadPoolExecutor::~ThreadPoolExecutor()
         thread.join();
 }
 
+void ThreadPoolExecutor::startThreads()
+{
+    for (unsigned inHand = 1; inHand <= std::min(workers_, processors_); ++inHand)
+        startThreadFor(inHand);
+}
+
 Completion ThreadPoolExecutor::runHere(CheckId check)
 {
     // The last worker's number belongs to the search thread, or to a thread that has nothing to do now.
@@ -277,10 +283,10 @@ void ThreadPoolExecutor::work(unsigned worker)
 {
     InlineRunner runner(true);
     Lock lock(mutex_);
-    for (;;)
+    for (bool spins = false;; spins = true)
     {
         if (!hasWork())
-            waitForWork(lock);
+            waitForWork(lock, spins);
         if (ending_)
             return;
         const CheckId check = popQueue();
@@ -306,11 +312,10 @@ bool ThreadPoolExecutor::keepsSearchOff() const noexcept
     return processor >= 0 && processor == searchProcessor_.load(std::memory_order_relaxed);
 }
 
-/// Returns when there is work, or at the end.
-void ThreadPoolExecutor::waitForWork(Lock& lock)
+/// Returns when there is work, or at the end. \param mayBeSoon whether it is worth while to stay awake for a moment.
+void ThreadPoolExecutor::waitForWork(Lock& lock, bool mayBeSoon)
 {
-    const bool spins = threadLimit_ <= processors_ && running_ < threadLimit_;
-    if (spins)
+    if (mayBeSoon && threadLimit_ <= processors_ && running_ < threadLimit_)
     {
         lock.unlock();
         spin(PoolRules::kWorkerSpins,

@@ -145,6 +145,22 @@ TEST_P(LifeCycle, ChangedSettingsTakeEffectWithTheNextSolve)
     EXPECT_TRUE(scene.path().check());
 }
 
+TEST_P(LifeCycle, TheNumberOfThreadsMayChangeBetweenSetupAndSolve)
+{
+    Scene scene;
+    scene.plan(settingsFor(GetParam()));
+    scene.planner->setup();
+    for (const char* threads : {"3", "1", "2"})
+    {
+        ASSERT_TRUE(scene.planner->params().setParam("num_threads", threads));
+        ASSERT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_EQ(std::to_string(scene.planner->getReport().threads), threads);
+        ASSERT_TRUE(scene.planner->params().setParam("num_threads", "4"));
+        scene.planner->setup();
+        scene.setup.getProblemDefinition()->clearSolutionPaths();
+    }
+}
+
 TEST_P(LifeCycle, ClearQueryTakesANewProblem)
 {
     Scene scene;

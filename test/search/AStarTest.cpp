@@ -39,18 +39,6 @@ struct AStarOnPlane : Plane
     search::AStar search;
 };
 
-TEST(AStar, TellsHowMuchOfTheWayLiesBehindIt)
-{
-    AStarOnPlane plane(1, false);
-    std::vector<double> progress;
-    plane.search.setObserver([&](lattice::NodeId) { progress.push_back(plane.broker->progress()); });
-    ASSERT_EQ(plane.run(), SearchStatus::Solved);
-    ASSERT_GT(progress.size(), 10U);
-    EXPECT_EQ(progress.front(), 0.0);
-    EXPECT_TRUE(std::ranges::is_sorted(progress));
-    EXPECT_EQ(progress.back(), 1.0);
-}
-
 TEST(AStar, StopIsAskedOncePerExpansionAndTheSearchGoesOn)
 {
     AStarOnPlane whole(1, false);

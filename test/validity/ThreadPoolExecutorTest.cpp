@@ -38,6 +38,19 @@ TEST(ThreadPoolExecutor, StartsNoThreadBeforeItIsUsed)
     EXPECT_FALSE(executor.busy());
 }
 
+TEST(ThreadPoolExecutor, ThreadsStartedAheadDoTheWork)
+{
+    FakeChecker checker;
+    ThreadPoolExecutor executor(checker, 3);
+    executor.startThreads();
+    executor.startThreads();  // of no effect
+    for (std::uint32_t node = 0; node < 100; ++node)
+        executor.submit(stateCheck(node), Urgency::Speculative);
+    EXPECT_EQ(collectAll(executor).size(), 100U);
+    ThreadPoolExecutor unused(checker, 3);
+    unused.startThreads();  // ends all the same
+}
+
 TEST(ThreadPoolExecutor, RunsAsManyChecksAtOnceAsItHasWorkers)
 {
     constexpr unsigned kWorkers = 8;

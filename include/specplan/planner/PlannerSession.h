@@ -43,6 +43,9 @@ public:
     {
     }
 
+    /// Starts threads ahead of the first search.
+    void prepare();
+
     /// Forgets everything but the settings.
     void reset();
 

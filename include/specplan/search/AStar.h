@@ -226,8 +226,6 @@ private:
     std::uint64_t pushes_ = 0;
     std::uint64_t expansions_ = 0;
     std::uint64_t orderHash_ = 0;
-    double wholeWay_ = 0.0;  ///< estimate of the first node expanded
-    double nearest_ = 0.0;   ///< the least of all expanded ones
     NodeId reachedGoal_ = lattice::kNoNode;
     lattice::Successors successors_;  ///< scratch of expand()
     std::vector<CheckId> checks_;     ///< scratch of dropInvalid() and confirmWay()

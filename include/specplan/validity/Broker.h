@@ -43,28 +43,10 @@ public:
     }
 
     /// As long as all checks together have taken no longer than this (seconds), other threads are left alone, unless a
-    /// single check takes longer than to start one, or by its progress the search will take longer than that.
+    /// single check takes longer than to wake one.
     void setWarmUp(double seconds) noexcept
     {
         warmUp_ = seconds;
-    }
-
-    /// A search begins, with its whole way before it.
-    void beginSearch() noexcept
-    {
-        progress_ = 0.0;
-        secondsBefore_ = secondsEver_;
-    }
-
-    /// Told by the search which share of the way to the goal lies behind it, roughly; 0 for no idea.
-    void noteProgress(double share) noexcept
-    {
-        progress_ = share;
-    }
-
-    [[nodiscard]] double progress() const noexcept
-    {
-        return progress_;
     }
 
     /// Asked now and then during long waits; once it returns true, `demand` gives up. Empty for never.
@@ -130,7 +112,6 @@ private:
     [[nodiscard]] bool demandMissing(std::span<const CheckId> checks);
     [[nodiscard]] bool runHere();
     [[nodiscard]] bool shouldRunHere(CheckId check) const;
-    [[nodiscard]] bool warmsUp() const;
     [[nodiscard]] CostMeter& costOf(CheckId check) noexcept
     {
         return cost_[check.isMotion() ? 1 : 0];
@@ -171,13 +152,11 @@ private:
     bool barrier_ = false;
     bool sourceListens_ = true;  ///< the source has been told every verdict
     bool sawInvalid_ = false;    ///< since queued checks were last looked through
-    double warmUp_ = 7e-3;
+    double warmUp_ = 1e-3;
     std::uint64_t submitted_ = 0;   ///< to other threads
     std::optional<double> leftAt_;  ///< time at which the search last had checks handed out; none between searches
     unsigned chances_ = 0;          ///< how often it could have since
     double secondsEver_ = 0.0;      ///< of all checks, in all queries
-    double secondsBefore_ = 0.0;    ///< the same before this search
-    double progress_ = 0.0;         ///< share of the way to the goal that lies behind the search
     bool thought_ = false;          ///< what is handed out now the source had to think of
     std::function<bool()> interrupt_;
     VerdictTable table_;

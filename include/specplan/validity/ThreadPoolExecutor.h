@@ -17,8 +17,8 @@
 
 namespace specplan::validity
 {
-/// A persistent pool of worker threads. Threads start on first use, spin for a moment when they run out of work, then
-/// sleep, and end with the executor.
+/// A persistent pool of worker threads. Threads start ahead of time or on first use, spin for a moment when they run
+/// out of work, then sleep, and end with the executor.
 ///
 /// With few workers the search thread is one of them: instead of waiting it runs checks from the queue. With many it
 /// only hands out and collects, since in the time of one check so much comes back that the others would run dry.
@@ -34,6 +34,10 @@ public:
     ~ThreadPoolExecutor() override;
     ThreadPoolExecutor(const ThreadPoolExecutor&) = delete;
     ThreadPoolExecutor& operator=(const ThreadPoolExecutor&) = delete;
+
+    /// Starts as many threads as there are processors for, which takes some 50 µs each: time that the first search will
+    /// not have to spend.
+    void startThreads();
 
     [[nodiscard]] unsigned workers() const noexcept override
     {
@@ -100,7 +104,7 @@ private:
         return queued_[0].load(std::memory_order_relaxed) + queued_[1].load(std::memory_order_relaxed);
     }
     void work(unsigned worker);
-    void waitForWork(Lock& lock);
+    void waitForWork(Lock& lock, bool mayBeSoon);
     [[nodiscard]] bool keepsSearchOff() const noexcept;
 
     Checker& checker_;
