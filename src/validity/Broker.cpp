@@ -127,11 +127,12 @@ bool Broker::runHere()
 
 void Broker::recordHere(CheckId check, Entry& entry)
 {
-    if (sourceListens_ && allCheap() && source_ != nullptr)
+    if (!runsAlone_ && source_ != nullptr && allCheap())
     {
         // Telling the source everything would cost more than to check.
-        source_->missed();
-        sourceListens_ = false;
+        if (std::exchange(sourceListens_, false))
+            source_->missed();
+        runsAlone_ = true;
     }
     ++statistics_.demandedChecks;
     runOwn(check);
@@ -163,6 +164,7 @@ bool Broker::waitForMissing()
     EndOfWait wait{*this};
     noteThought();
     sourceListens_ = !accounts_.sourceRests();
+    runsAlone_ = false;
     collect(std::chrono::milliseconds{0});
     wait.own = submitMissing();
     if (awaited_ > 0 || wait.own)
@@ -257,7 +259,7 @@ void Broker::noteReady(Entry& entry)
 void Broker::feed()
 {
     ++chances_;
-    if (source_ == nullptr || allCheap() || !executor_.runsDry())
+    if (source_ == nullptr || runsAlone_ || !executor_.runsDry())
         return;
     collect(std::chrono::milliseconds{0});
     if (!source_->keepsAsking())

@@ -151,6 +151,7 @@ private:
     CheckSource* source_ = nullptr;
     bool barrier_ = false;
     bool sourceListens_ = true;  ///< the source has been told every verdict
+    bool runsAlone_ = false;     ///< checks are so cheap that the search runs all of them, and asks nobody
     bool sawInvalid_ = false;    ///< since queued checks were last looked through
     double warmUp_ = 1e-3;
     std::uint64_t submitted_ = 0;   ///< to other threads
