@@ -283,10 +283,10 @@ void ThreadPoolExecutor::work(unsigned worker)
 {
     InlineRunner runner(true);
     Lock lock(mutex_);
-    for (bool spins = false;; spins = true)
+    for (bool isNew = true;; isNew = false)
     {
         if (!hasWork())
-            waitForWork(lock, spins);
+            waitForWork(lock, !isNew);
         if (ending_)
             return;
         const CheckId check = popQueue();

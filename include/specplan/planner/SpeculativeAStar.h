@@ -74,6 +74,8 @@ public:
     /// The next solve() starts afresh.
     void forgetVerdicts();
 
+    /// Also starts the threads, at most as many as there are processors, so that no search has to. They sleep outside
+    /// of solve().
     void setup() override;
 
     /// \throws ompl::Exception if there is no lattice over the space.
