@@ -310,6 +310,24 @@ TEST_F(BrokerOnPool, AFeedInTheMidstOfALongThoughtKeepsWorkersGoing)
     broker.settle();
 }
 
+TEST_F(BrokerOnPool, AFeedReachesWorkersThatHaveNothingLeftAlsoDuringRests)
+{
+    thinkInVain(1e-3);
+    for (std::uint32_t motion = 0; source.rests == 0; ++motion)
+    {
+        ASSERT_LT(motion, 10000U);
+        demand({motionCheck(motion)});
+    }
+    broker.settle();
+    const std::uint32_t next = source.next;
+    source.nextAtHand = 30000;
+    source.lastAtHand = 40000;
+    broker.feed();
+    EXPECT_GT(source.nextAtHand, 30000U);
+    EXPECT_EQ(source.next, next) << "thinking rests";
+    broker.settle();
+}
+
 TEST_F(BrokerOnPool, ASourceThatPaysNeverRests)
 {
     broker.setWarmUp(0.0);
