@@ -177,47 +177,104 @@ private:
     const lattice::Lattice& lattice_;
 };
 
-TEST(LazySearch, AtHandIsAlsoWhatIsDoubtfulFarBehindTheFrontOfOpen)
+/// The lazy search in that field.
+template <typename Executor>
+struct LazyInField
 {
-    lattice::GridSteps steps;
-    steps.cost = [](std::span<const Coordinate> offset) { return std::hypot(offset[0], offset[1], offset[2]); };
-    lattice::Lattice lattice(
-        std::make_unique<lattice::GridNeighbourhood>(lattice::GridBox{{0, 0, 0}, {199, 199, 199}}, steps));
-    lattice::GridHeuristic heuristic(lattice, {1.0, 1.0, 1.0}, 3);
-    heuristic.addGoal({{195.0, 100.0, 100.0}, {}});
-    FieldChecker checker(lattice);
-    validity::InlineExecutor executor(checker);
-    validity::Broker broker(executor);
-    search::LazySearch search(lattice, heuristic, broker);
-    const auto node = [&lattice](Coordinate x, Coordinate y, Coordinate z)
+    LazyInField()
+    {
+        heuristic.addGoal({{195.0, 100.0, 100.0}, {}});
+        search.addStart(node(5, 100, 100));
+        search.addGoal(node(195, 100, 100));
+    }
+
+    static std::unique_ptr<lattice::GridNeighbourhood> neighbourhood()
+    {
+        lattice::GridSteps steps;
+        steps.cost = [](std::span<const Coordinate> offset) { return std::hypot(offset[0], offset[1], offset[2]); };
+        return std::make_unique<lattice::GridNeighbourhood>(lattice::GridBox{{0, 0, 0}, {199, 199, 199}}, steps);
+    }
+
+    NodeId node(Coordinate x, Coordinate y, Coordinate z)
     {
         const Coordinate cell[] = {x, y, z};
         return lattice.node(cell);
-    };
-    search.addStart(node(5, 100, 100));
-    search.addGoal(node(195, 100, 100));
-    const auto decide = [&search](std::uint64_t decisions)
+    }
+
+    void decide(std::uint64_t decisions)
     {
         const std::uint64_t end = search.decisions() + decisions;
         ASSERT_EQ(search.run([&] { return search.decisions() >= end; }), SearchStatus::Stopped);
-    };
-    const auto atHand = [&search]
+    }
+
+    lattice::Lattice lattice{neighbourhood()};
+    lattice::GridHeuristic heuristic{lattice, {1.0, 1.0, 1.0}, 3};
+    FieldChecker checker{lattice};
+    Executor executor{checker};
+    validity::Broker broker{executor};
+    search::LazySearch search{lattice, heuristic, broker};
+};
+
+TEST(LazySearch, AtHandIsAlsoWhatIsDoubtfulFarBehindTheFrontOfOpen)
+{
+    LazyInField<validity::InlineExecutor> field;
+    const auto atHand = [&field]
     {
         constexpr std::size_t kAll = 100000;
         std::vector<CheckId> named;
-        search.proposeAtHand(kAll, named);
+        field.search.proposeAtHand(kAll, named);
         return std::set<CheckId>(named.begin(), named.end());
     };
-    decide(1000);
+    field.decide(1000);
     std::set<CheckId> named = atHand();
     const std::size_t first = named.size();
     EXPECT_GT(first, 100U);
     for (int decisions = 0; decisions < 5; ++decisions)
     {
-        decide(1);
+        field.decide(1);
         named.merge(atHand());
     }
     EXPECT_GT(named.size(), first + 50) << "for each decision others, of those behind the front";
+}
+
+/// Says that workers have run dry, as often as it is asked.
+struct DryExecutor : validity::InlineExecutor
+{
+    using InlineExecutor::InlineExecutor;
+
+    [[nodiscard]] bool runsDry() override
+    {
+        return true;
+    }
+};
+
+TEST(LazySearch, ThinkingEndsWithTheNextDecisionWhenWorkersHaveRunDry)
+{
+    constexpr std::size_t kMany = 1000;
+    LazyInField<validity::InlineExecutor> patient;
+    LazyInField<DryExecutor> hurried;
+    patient.decide(100);
+    hurried.decide(100);
+    ASSERT_EQ(patient.search.orderHash(), hurried.search.orderHash());
+    std::vector<CheckId> all;
+    patient.search.propose(kMany, all);
+    std::vector<CheckId> some;
+    for (int calls = 0; calls < 1000 && some.empty(); ++calls)
+        hurried.search.propose(kMany, some);
+    ASSERT_FALSE(some.empty());
+    EXPECT_LT(some.size(), 65U) << "one decision at most";
+    ASSERT_GT(all.size(), 2 * some.size());
+    EXPECT_TRUE(std::equal(some.begin(), some.end(), all.begin()));
+
+    // It goes on from there, and what was guessed in pieces is worth as much.
+    while (hurried.search.decisions() < 300)
+    {
+        some.clear();
+        hurried.search.propose(kMany, some);
+        hurried.decide(1);
+    }
+    patient.decide(200);
+    EXPECT_EQ(patient.search.orderHash(), hurried.search.orderHash());
 }
 
 /// All states are valid; motions into the column x = 12 are not, but for those at y < 3.

@@ -63,8 +63,7 @@ public:
     /// How many more checks it makes sense to submit: free workers, and a small supply so that none of them runs dry.
     [[nodiscard]] virtual unsigned room() const noexcept = 0;
 
-    /// Whether workers have nothing left to begin, or `room` has grown so much that it is time to fill it. Cheap: asked
-    /// often.
+    /// Whether workers that have been used have nothing left to begin, and may be waiting for more. Cheap: asked often.
     [[nodiscard]] virtual bool runsDry() = 0;
 
     /// Whether checks are queued, running, or finished and not collected.
