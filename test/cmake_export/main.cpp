@@ -9,6 +9,7 @@
 #include <ompl/geometric/SimpleSetup.h>
 
 #include <specplan/planner/SpeculativeAStar.h>
+#include <specplan/planner/TestChecker.h>
 
 namespace ob = ompl::base;
 
@@ -29,6 +30,11 @@ int main()
     start[0] = start[1] = 0.1;
     goal[0] = goal[1] = 0.9;
     setup.setStartAndGoalStates(start, goal);
+
+    const specplan::CheckerReport report = specplan::testChecker(setup.getSpaceInformation());
+    std::cout << report;
+    if (!report.passed())
+        return 1;
 
     setup.setPlanner(std::make_shared<specplan::SpeculativeAStar>(setup.getSpaceInformation()));
     const ob::PlannerStatus status = setup.solve(10.0);
