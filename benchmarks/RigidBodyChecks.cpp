@@ -131,7 +131,7 @@ double seconds(std::size_t threads, const std::vector<Eigen::Isometry3d>& poses,
 {
     const auto begin = Clock::now();
     {
-        std::vector<std::jthread> pool;
+        std::vector<std::thread> pool;
         for (std::size_t i = 0; i < threads; ++i)
             pool.emplace_back(
                 [&, i]
@@ -139,6 +139,8 @@ double seconds(std::size_t threads, const std::vector<Eigen::Isometry3d>& poses,
                     for (std::size_t j = i; j < poses.size(); j += threads)
                         static_cast<void>(collides(poses[j]));
                 });
+        for (std::thread& thread : pool)
+            thread.join();
     }
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }

@@ -18,7 +18,7 @@ namespace
 {
 /// Benchmark reads these properties from another thread while the planner runs. Before OMPL 1.6 two of BIT*'s walk over
 /// its graph as it changes, which now and then ends the program (ompl/ompl#779).
-bool isSafeToPoll(const std::string& property)
+bool isSafeToPoll([[maybe_unused]] const std::string& property)
 {
 #if OMPL_VERSION_VALUE < 1006000
     return property != "current free states INTEGER" && property != "current graph vertices INTEGER";

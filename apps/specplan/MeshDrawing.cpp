@@ -59,8 +59,9 @@ std::vector<std::array<Eigen::Vector3d, 2>> featureEdges(const Mesh& mesh)
     for (const auto& [ends, sides] : normals)
     {
         // Faces may be listed twice, or turned the other way.
-        const bool flat = sides.size() > 1 && std::ranges::all_of(sides, [&sides](const Eigen::Vector3d& side)
-                                                                  { return std::abs(side.dot(sides[0])) > kFlat; });
+        const auto along = [&front = sides[0]](const Eigen::Vector3d& side)
+        { return std::abs(side.dot(front)) > kFlat; };
+        const bool flat = sides.size() > 1 && std::ranges::all_of(sides, along);
         if (!flat)
             edges.push_back({mesh.vertices[ends.first], mesh.vertices[ends.second]});
     }

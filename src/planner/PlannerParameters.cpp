@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "specplan/util/ParseNumber.h"
+
 namespace specplan::planner
 {
 namespace
@@ -61,8 +63,7 @@ unsigned parseUnsigned(const std::string& name, const std::string& value, const 
 double parseDouble(const std::string& name, const std::string& value, const std::string& expected)
 {
     double number = 0.0;
-    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-    if (error != std::errc{} || end != value.data() + value.size() || !std::isfinite(number))
+    if (!util::parseNumber(value, number))
         refuse(name, expected, value);
     return number;
 }

@@ -2,22 +2,16 @@
 #include "specplan/problems/TextFile.h"
 
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+
+#include "specplan/util/ParseNumber.h"
 
 namespace specplan::problems
 {
 namespace
 {
-template <typename T>
-bool parseWhole(std::string_view text, T& number)
-{
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc{} && end == text.data() + text.size();
-}
-
 std::string temporaryName(const std::string& path)
 {
     return concat(path, ".part");
@@ -69,12 +63,13 @@ std::vector<std::string_view> split(std::string_view line, std::string_view sepa
 
 bool parse(std::string_view text, int& number)
 {
-    return parseWhole(text, number);
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && end == text.data() + text.size();
 }
 
 bool parse(std::string_view text, double& number)
 {
-    return parseWhole(text, number) && std::isfinite(number);
+    return util::parseNumber(text, number);
 }
 
 void writeFile(const std::string& path, const std::function<void(std::ostream&)>& write)

@@ -53,7 +53,7 @@ inline void expectOneThreadsAnswers(const ompl::base::SpaceInformationPtr& si, c
     EXPECT_GE(std::ranges::count(valid, 0), fewest);
     std::atomic<int> wrong = 0;
     {
-        std::vector<std::jthread> threads;
+        std::vector<std::thread> threads;
         for (std::size_t thread = 0; thread < 8; ++thread)
             threads.emplace_back(
                 [&, thread]
@@ -66,6 +66,8 @@ inline void expectOneThreadsAnswers(const ompl::base::SpaceInformationPtr& si, c
                             ++wrong;
                     }
                 });
+        for (std::thread& thread : threads)
+            thread.join();
     }
     EXPECT_EQ(wrong, 0);
     for (ompl::base::State* state : states)
