@@ -21,11 +21,12 @@ namespace
 constexpr std::size_t kMaxCorners = 1024;
 }  // namespace
 
-Embedding::Embedding(const ob::SpaceInformation& si, const PlannerSettings& settings, const ob::State* origin,
-                     bool coarsens)
+Embedding::Embedding(const ob::SpaceInformation& si, const PlannerSettings& settings, const SpaceHooks& hooks,
+                     const ob::State* origin, bool coarsens)
     : si_(si),
       settings_(settings),
-      decomposition_(decompose(si.getStateSpace())),
+      hooks_(hooks),
+      decomposition_(decompose(si.getStateSpace(), hooks_)),
       components_(makeComponents(decomposition_, settings, origin, coarsens))
 {
     std::size_t dimension = 0;
@@ -150,6 +151,8 @@ void Embedding::write(const lattice::Lattice& lattice, lattice::NodeId node, ob:
     const Coordinate* coordinates = lattice.coordinates(node).data();
     for (std::size_t i = 0; i < components_.all.size(); ++i)
         components_.all[i]->write(coordinates + firstCoordinate_[i], decomposition_.parts[i].of(state));
+    if (hooks_.complete)
+        hooks_.complete(state);
 }
 
 unsigned Embedding::segments(const ob::State* from, const ob::State* to) const

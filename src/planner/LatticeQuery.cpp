@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "specplan/planner/PathProof.h"
 #include "specplan/speculation/DirectionPolicy.h"
 #include "specplan/speculation/HedgedPolicy.h"
 #include "specplan/speculation/LearningPredictor.h"
@@ -42,13 +43,13 @@ bool sameValues(const ob::StateSpace& space, const ob::State* a, const ob::State
 }  // namespace
 
 LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjectivePtr objective,
-                           const PlannerSettings& settings, validity::Executor& executor, OmplChecker& checker,
-                           OmplChecker::Sources sources, const ob::State* origin, bool coarsens)
+                           const PlannerSettings& settings, const SpaceHooks& hooks, validity::Executor& executor,
+                           OmplChecker& checker, OmplChecker::Sources sources, const ob::State* origin, bool coarsens)
     : si_(si),
       objective_(std::move(objective)),
       settings_(settings),
       discreteMotions_(isDiscreteMotionValidator(*sources.motionValidators.front())),
-      embedding_(si, settings, origin, coarsens),
+      embedding_(si, settings, hooks, origin, coarsens),
       lattice_(embedding_.neighbourhood(discreteMotions_)),
       costs_(isPathLength(*objective_) ? std::nullopt
                                        : std::make_optional<ObjectiveCosts>(si, *objective_, lattice_, embedding_)),
@@ -188,6 +189,12 @@ void LatticeQuery::addStart(const ob::State* state)
         joinNeighbours(node, goal);
     startStates_.emplace_back(si_, state);
     startNodes_.push_back(node);
+}
+
+void LatticeQuery::requireWholeStates() const
+{
+    if (!embedding_.writesWholeStates() && !lattice_.isTerminal(startNodes_.front()))
+        requireComplete(si_, stateOf(startNodes_.front()).get(), startStates_.front().get());
 }
 
 void LatticeQuery::addGoal(const ob::State* state)

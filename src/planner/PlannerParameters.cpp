@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "specplan/util/ParseNumber.h"
@@ -23,7 +24,7 @@ constexpr double kMaxWeight = 1e9;
 constexpr double kMinResolution = 1e-6;
 constexpr double kMaxVirtualCost = 1e6;
 constexpr double kMaxSpacing = 1e12;
-constexpr const char* kSpacingExpected = "numbers greater than 0 and up to 1e12, separated by commas";
+constexpr const char* kSpacingExpected = "numbers greater than 0 and up to 1e12, separated by commas or blanks";
 
 [[noreturn]] void refuse(const std::string& name, const std::string& expected, const std::string& given)
 {
@@ -77,12 +78,31 @@ bool parseBool(const std::string& name, const std::string& value)
     refuse(name, "0 or 1", value);
 }
 
+/// Numbers separated by commas, semicolons or blanks; in brackets too, as ROS writes an array that is a string.
 std::vector<double> parseSpacing(const std::string& value)
 {
+    constexpr const char* kBlanks = " \t";
+    const auto trimmed = [](std::string_view part)
+    {
+        const std::size_t first = part.find_first_not_of(kBlanks);
+        return first == part.npos ? std::string_view() : part.substr(first, part.find_last_not_of(kBlanks) - first + 1);
+    };
+    std::string_view rest = trimmed(value);
+    if (rest.size() >= 2 && rest.front() == '[' && rest.back() == ']')
+        rest = trimmed(rest.substr(1, rest.size() - 2));
     std::vector<double> spacing;
-    std::istringstream in(value);
-    for (std::string part; std::getline(in, part, ',');)
-        spacing.push_back(parseDouble("spacing", part, kSpacingExpected));
+    while (!rest.empty())
+    {
+        const std::size_t end = std::min(rest.find_first_of(" \t,;"), rest.size());
+        const std::string_view number = rest.substr(0, end);
+        spacing.push_back(parseDouble("spacing", std::string(number), kSpacingExpected));
+        rest = trimmed(rest.substr(end));
+        if (rest.empty() || (rest.front() != ',' && rest.front() != ';'))
+            continue;
+        rest = trimmed(rest.substr(1));
+        if (rest.empty())
+            refuse("spacing", kSpacingExpected, value);
+    }
     return spacing;
 }
 

@@ -75,6 +75,7 @@ void PlannerSession::resetQuery()
     bound_ = std::numeric_limits<double>::quiet_NaN();
     finished_ = false;
     best_.reset();
+    proof_.reset();
     past_ = {};
     clockInSearch_ = 0.0;
     live.expansions = 0;
@@ -135,11 +136,14 @@ bool PlannerSession::takeStarts(ob::PlannerInputStates& inputs, const ob::Proble
             ob::OptimizationObjectivePtr objective = pdef.getOptimizationObjective();
             if (!objective)
                 objective = std::make_shared<ob::PathLengthOptimizationObjective>(si);
-            query = std::make_unique<LatticeQuery>(*si, std::move(objective), settings, *executor, *checker,
+            query = std::make_unique<LatticeQuery>(*si, std::move(objective), settings, hooks, *executor, *checker,
                                                    makeSources(), start, looksForBetter(pdef));
             refinements_ = 0;
         }
+        const bool isFirst = query->starts().empty();
         query->addStart(start);
+        if (isFirst)
+            query->requireWholeStates();
         added = true;
     }
     return added;
@@ -229,6 +233,7 @@ void PlannerSession::beginFirstSearch(const ob::ProblemDefinition& pdef)
         query->coarsen();
     finished_ = false;
     best_.reset();
+    proof_.reset();
     past_ = {};
     patienceEnds_ = schedule_.current().patience;
     query->beginSearch(schedule_.current().weight);
@@ -348,12 +353,13 @@ ob::PlannerStatus PlannerSession::solve(ob::PlannerInputStates& inputs, const ob
     const ob::ProblemDefinition& pdef = *planner.getProblemDefinition();
     while (!finished_)
     {
-        const SearchStatus end = search(inputs, *pdef.getGoal(), ptc);
+        const SearchStatus end = proof_ ? SearchStatus::Solved : search(inputs, *pdef.getGoal(), ptc);
         if (end == SearchStatus::Stopped && !isOutOfPatience())
             break;
         if (end == SearchStatus::Solved)
         {
-            takeSolution(planner);
+            if (!takeSolution(planner, ptc))
+                break;
             finished_ = !wantsBetter(pdef) || !beginNextSearch(Schedule::End::Solved);
         }
         else if (end == SearchStatus::Stopped)
@@ -431,16 +437,35 @@ void PlannerSession::fillReport()
     report.efficiency = report.speedup / report.threads;
 }
 
-/// Keeps the path just found if it is the best one so far.
-void PlannerSession::takeSolution(ob::Planner& planner)
+/// Keeps the path just found if it is the best one so far. \return false if it was told to stop before.
+bool PlannerSession::takeSolution(ob::Planner& planner, const ob::PlannerTerminationCondition& ptc)
 {
     const NodeId goal = query->search().reachedGoal();
     const ob::Cost cost = query->costToCome(goal);
     bound_ = schedule_.isCoarse() ? std::numeric_limits<double>::quiet_NaN() : weight();
     if (best_ && !query->isBetter(cost, best_.cost()))
-        return;
+        return true;
+    const bool needsProof = !query->embedding().writesWholeStates();
+    if (needsProof && !prove(goal, ptc))
+        return false;
     live.bestCost.store(cost.value(), std::memory_order_relaxed);
-    best_.take(pathTo(goal), cost, planner);
+    best_.take(needsProof ? proof_->path() : pathTo(goal), cost, planner);
+    proof_.reset();
+    return true;
+}
+
+/// \return false if it was told to stop before the end; the next call goes on.
+/// \throws ompl::Exception if the path is not valid.
+bool PlannerSession::prove(NodeId goal, const ob::PlannerTerminationCondition& ptc)
+{
+    if (!proof_)
+        proof_.emplace(*si, pathTo(goal));
+    const std::uint64_t before = proof_->checks();
+    const bool complete = proof_->run([&ptc] { return ptc(); });
+    report.pathChecks += proof_->checks() - before;
+    if (!proof_->fault().empty())
+        throw ompl::Exception(proof_->fault());
+    return complete;
 }
 
 bool PlannerSession::publishApproximation(ob::Planner& planner) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/planner/SpeculativeAStar.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "specplan/planner/Explanation.h"
 #include "specplan/planner/PlannerParameters.h"
 #include "specplan/planner/PlannerSession.h"
+#include "specplan/planner/spaces/DescribedAxes.h"
 #include "specplan/validity/RunCheck.h"
 
 namespace specplan
@@ -52,7 +54,7 @@ void SpeculativeAStar::checkValidity()
     ob::Planner::checkValidity();
     try
     {
-        for (const planner::Part& part : planner::decompose(si_->getStateSpace()).parts)
+        for (const planner::Part& part : planner::decompose(si_->getStateSpace(), session_->hooks).parts)
             if (const auto* real = dynamic_cast<const ob::RealVectorStateSpace*>(part.space.get()))
                 real->getBounds().check();
     }
@@ -157,6 +159,24 @@ void SpeculativeAStar::setStateValidityCheckerAllocator(StateValidityCheckerAllo
 void SpeculativeAStar::setMotionValidatorAllocator(MotionValidatorAllocator allocator)
 {
     session_->motionValidatorAllocator = std::move(allocator);
+    session_->sourcesChanged = true;
+}
+
+void SpeculativeAStar::setStateCompleter(std::function<void(ob::State*)> complete)
+{
+    session_->hooks.complete = std::move(complete);
+    session_->sourcesChanged = true;
+}
+
+void SpeculativeAStar::setLatticeAxes(const LatticeAxes& axes)
+{
+    planner::validate(axes);
+    std::vector<LatticeAxes>& described = session_->hooks.described;
+    described.erase(std::remove_if(described.begin(), described.end(),
+                                   [&axes](const LatticeAxes& other) { return other.space == axes.space; }),
+                    described.end());
+    if (!axes.axes.empty())
+        described.push_back(axes);
     session_->sourcesChanged = true;
 }
 

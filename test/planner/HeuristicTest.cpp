@@ -34,7 +34,7 @@ TEST_P(LowerBounds, AreConsistentOnTheirLattice)
     si->getStateSpace()->copyFromReals(goal.get(), problem.goals[0]);
     PlannerSettings settings;
     settings.resolution = problem.resolution;
-    const planner::Embedding embedding(*si, settings, start.get());
+    const planner::Embedding embedding(*si, settings, {}, start.get());
     if (!embedding.sumsDistances())
         GTEST_SKIP() << "steps cost what the space says, and so do lower bounds";
     lattice::Lattice lattice(embedding.neighbourhood(true));

@@ -24,7 +24,7 @@ public:
                       const PlannerSettings& settings, const ob::State* origin)
         : si_(si),
           objective_(objective),
-          embedding_(*si, settings, origin),
+          embedding_(*si, settings, {}, origin),
           neighbourhood_(embedding_.neighbourhood(true)),
           lattice_(embedding_.neighbourhood(true))
     {

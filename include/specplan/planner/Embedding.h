@@ -31,8 +31,8 @@ public:
     /// \param origin the lattice goes exactly through this state.
     /// \throws ompl::Exception if there is no lattice over the space, or the settings do not fit it.
     /// \param coarsens whether the lattice may be searched with twice the usual spacing first.
-    Embedding(const ompl::base::SpaceInformation& si, const PlannerSettings& settings, const ompl::base::State* origin,
-              bool coarsens = false);
+    Embedding(const ompl::base::SpaceInformation& si, const PlannerSettings& settings, const SpaceHooks& hooks,
+              const ompl::base::State* origin, bool coarsens = false);
 
     /// The steps of the lattice as it is now. \param discreteMotions whether motions as short as one valid segment need
     /// no check of their inside.
@@ -42,6 +42,12 @@ public:
     [[nodiscard]] bool sumsDistances() const noexcept
     {
         return decomposition_.sumsDistances;
+    }
+
+    /// Whether states are whole once their values are written: all classes are OMPL's, and nobody else writes.
+    [[nodiscard]] bool writesWholeStates() const noexcept
+    {
+        return decomposition_.isOmpls && !hooks_.complete;
     }
 
     /// Number of degrees of freedom.
@@ -117,6 +123,7 @@ private:
 
     const ompl::base::SpaceInformation& si_;
     PlannerSettings settings_;
+    SpaceHooks hooks_;
     Decomposition decomposition_;
     Components components_;
     bool curves_ = false;

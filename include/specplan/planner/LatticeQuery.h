@@ -32,8 +32,8 @@ public:
     /// whether a lattice of twice the usual spacing may be searched, too.
     /// \throws ompl::Exception if the settings do not fit the space.
     LatticeQuery(const ompl::base::SpaceInformation& si, ompl::base::OptimizationObjectivePtr objective,
-                 const PlannerSettings& settings, validity::Executor& executor, OmplChecker& checker,
-                 OmplChecker::Sources sources, const ompl::base::State* origin, bool coarsens);
+                 const PlannerSettings& settings, const SpaceHooks& hooks, validity::Executor& executor,
+                 OmplChecker& checker, OmplChecker::Sources sources, const ompl::base::State* origin, bool coarsens);
 
     /// Forgets starts, goals and the search. Verdicts stay.
     void beginQuery();
@@ -41,6 +41,10 @@ public:
     /// Adds valid states; `beginSearch` has to follow, or `goalsChanged` after goals that come up during a search.
     void addStart(const ompl::base::State* state);
     void addGoal(const ompl::base::State* state);
+
+    /// Makes sure that states which the planner writes are as good as the first start, as far as that can be told.
+    /// \throws ompl::Exception with one line.
+    void requireWholeStates() const;
 
     /// Sets the goal that the goal states stand for, after the starts. \param region whether other states may satisfy
     /// it.

@@ -19,6 +19,7 @@
 #include "specplan/planner/LatticeQuery.h"
 #include "specplan/planner/OmplChecker.h"
 #include "specplan/planner/Origins.h"
+#include "specplan/planner/PathProof.h"
 #include "specplan/planner/Schedule.h"
 #include "specplan/planner/SpeculativeAStar.h"
 #include "specplan/planner/TracingChecker.h"
@@ -70,6 +71,7 @@ public:
     PlannerSettings settings;
     SpeculativeAStar::StateValidityCheckerAllocator checkerAllocator;
     SpeculativeAStar::MotionValidatorAllocator motionValidatorAllocator;
+    SpaceHooks hooks;  ///< a change has to drop the query
     std::function<void(const ompl::base::State*)> observer;
     std::shared_ptr<CheckTrace> trace;  ///< of what checks find and how long they take; empty for none
 
@@ -118,7 +120,8 @@ private:
     [[nodiscard]] std::uint64_t verdictsUsed() const;
     [[nodiscard]] bool isOutOfPatience() const;
     [[nodiscard]] std::shared_ptr<ompl::geometric::PathGeometric> pathTo(lattice::NodeId node) const;
-    void takeSolution(ompl::base::Planner& planner);
+    [[nodiscard]] bool takeSolution(ompl::base::Planner& planner, const ompl::base::PlannerTerminationCondition& ptc);
+    [[nodiscard]] bool prove(lattice::NodeId goal, const ompl::base::PlannerTerminationCondition& ptc);
     [[nodiscard]] bool publishApproximation(ompl::base::Planner& planner) const;
     [[nodiscard]] std::uint64_t expansions() const;
     [[nodiscard]] std::uint64_t orderHash() const;
@@ -129,6 +132,7 @@ private:
     std::uint64_t patienceEnds_ = Schedule::kEndless;  ///< verdicts used when the search is given up
     bool finished_ = false;                            ///< nothing is left to be improved
     BestPath best_;
+    std::optional<PathProof> proof_;  ///< of the path just found, if it needs one
     Past past_;
     double clockInSearch_ = 0.0;  ///< seconds on the executor's clock spent in run()
 };

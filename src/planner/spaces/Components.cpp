@@ -17,6 +17,7 @@
 #include "specplan/planner/spaces/AxesComponent.h"
 #include "specplan/planner/spaces/CarComponent.h"
 #include "specplan/planner/spaces/CarPrimitives.h"
+#include "specplan/planner/spaces/DescribedAxes.h"
 #include "specplan/planner/spaces/RotationComponent.h"
 #include "specplan/planner/spaces/ValueAxes.h"
 
@@ -103,7 +104,9 @@ Draft makeDraft(const Part& part, const ob::State* origin)
     const ob::StateSpace* space = part.space.get();
     const std::string name = part.path.empty() ? std::string() : space->getName();
     const std::string prefix = name.empty() ? name : name + ' ';
-    if (isCar(*space))
+    if (part.axes != nullptr)
+        draftDescribed(part.space, *part.axes, origin, draft.axes, draft.access);
+    else if (isCar(*space))
     {
         draft.car = true;
         const ob::RealVectorBounds& bounds = space->as<ob::SE2StateSpace>()->getBounds();

@@ -37,15 +37,23 @@ bool isOfPoses(const ob::StateSpace& space)
            dynamic_cast<const ob::SE3StateSpace*>(&space) != nullptr;
 }
 
-void takeApart(const ob::StateSpacePtr& space, const std::vector<unsigned>& path, double weight, bool place,
-               Decomposition& out)
+void takeApart(const ob::StateSpacePtr& space, const SpaceHooks& hooks, const std::vector<unsigned>& path, double weight,
+               bool place, Decomposition& out)
 {
+    if (const LatticeAxes* described = hooks.axesOf(*space, path.empty()))
+    {
+        out.sumsDistances = false;
+        out.isOmpls = false;
+        out.parts.push_back({space, path, weight, false, described});
+        return;
+    }
     if (dynamic_cast<const ob::WrapperStateSpace*>(space.get()) != nullptr)
         throw ompl::Exception(
             "the state space '" + space->getName() +
             "' is constrained to a manifold, over which there is no lattice: plan in coordinates of "
             "the manifold (angles on a sphere, joints of a closed chain), or with a sampling planner");
     out.sumsDistances = out.sumsDistances && isOmpls(*space);
+    out.isOmpls = out.isOmpls && isOmpls(*space);
     const auto* compound = dynamic_cast<const ob::CompoundStateSpace*>(space.get());
     if (compound == nullptr || isCar(*space))
     {
@@ -57,7 +65,7 @@ void takeApart(const ob::StateSpacePtr& space, const std::vector<unsigned>& path
         std::vector<unsigned> longer = path;
         longer.push_back(i);
         // The first subspace of SE2 and SE3 is the place.
-        takeApart(compound->getSubspace(i), longer, weight * compound->getSubspaceWeight(i),
+        takeApart(compound->getSubspace(i), hooks, longer, weight * compound->getSubspaceWeight(i),
                   i == 0 && isOfPoses(*space), out);
     }
 }
@@ -83,10 +91,10 @@ const ob::State* Part::of(const ob::State* whole) const
     return whole;
 }
 
-Decomposition decompose(const ob::StateSpacePtr& space)
+Decomposition decompose(const ob::StateSpacePtr& space, const SpaceHooks& hooks)
 {
     Decomposition decomposition;
-    takeApart(space, {}, 1.0, false, decomposition);
+    takeApart(space, hooks, {}, 1.0, false, decomposition);
     return decomposition;
 }
 }  // namespace specplan::planner
