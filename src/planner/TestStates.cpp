@@ -50,7 +50,7 @@ private:
 void appendLatticeStates(const ob::SpaceInformation& si, UniformStates& uniform, std::size_t count, std::uint32_t seed,
                          std::vector<StateHandle>& states)
 {
-    const Embedding embedding(si, PlannerSettings(), states.front().get());
+    const Embedding embedding(si, PlannerSettings(), SpaceHooks(), states.front().get());
     lattice::Lattice lattice(embedding.neighbourhood(true));
     std::mt19937 random(seed);
     std::vector<lattice::NodeId> ends;
