@@ -10,10 +10,10 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Exception.h>
 
+#include "spaces/DescribedAxes.h"
 #include "specplan/planner/Explanation.h"
 #include "specplan/planner/PlannerParameters.h"
 #include "specplan/planner/PlannerSession.h"
-#include "specplan/planner/spaces/DescribedAxes.h"
 #include "specplan/validity/RunCheck.h"
 
 namespace specplan

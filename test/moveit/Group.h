@@ -22,16 +22,18 @@ class Group
 public:
     using State = std::vector<double>;
 
-    explicit Group(std::shared_ptr<GroupSpace> ofGroup, NotingChecker::Truth truth = [](const double*) { return true; },
-                   std::chrono::microseconds latency = std::chrono::microseconds(0))
+    explicit Group(
+        std::shared_ptr<GroupSpace> ofGroup, NotingChecker::Truth truth = [](const double*) { return true; },
+        std::chrono::microseconds latency = std::chrono::microseconds(0))
         : space(std::move(ofGroup)), setup(space)
     {
         setup.setStateValidityChecker(
             std::make_shared<NotingChecker>(setup.getSpaceInformation(), std::move(truth), counts, latency));
     }
 
-    explicit Group(std::vector<Joint> joints, NotingChecker::Truth truth = [](const double*) { return true; },
-                   std::chrono::microseconds latency = std::chrono::microseconds(0))
+    explicit Group(
+        std::vector<Joint> joints, NotingChecker::Truth truth = [](const double*) { return true; },
+        std::chrono::microseconds latency = std::chrono::microseconds(0))
         : Group(std::make_shared<GroupSpace>(std::move(joints)), std::move(truth), latency)
     {
     }

@@ -241,15 +241,19 @@ private:
     {
         switch (joint.kind)
         {
-            case Joint::Kind::Revolute: return clampTo(joint.bound, v[0]);
-            case Joint::Kind::Continuous: return bringRound(v[0]);
-            case Joint::Kind::Mimic: return false;
+            case Joint::Kind::Revolute:
+                return clampTo(joint.bound, v[0]);
+            case Joint::Kind::Continuous:
+                return bringRound(v[0]);
+            case Joint::Kind::Mimic:
+                return false;
             case Joint::Kind::Planar:
             {
                 const bool places = static_cast<int>(clampTo(joint.bound, v[0])) + clampTo(joint.bound, v[1]) > 0;
                 return bringRound(v[2]) || places;
             }
-            case Joint::Kind::Floating: break;
+            case Joint::Kind::Floating:
+                break;
         }
         bool changed = false;
         for (int i = 0; i < 3; ++i)
@@ -263,11 +267,16 @@ private:
         const auto within = [&](double value) { return std::abs(value) <= joint.bound + kSlack; };
         switch (joint.kind)
         {
-            case Joint::Kind::Revolute: return within(v[0]);
-            case Joint::Kind::Continuous: return true;
-            case Joint::Kind::Mimic: return true;  // its master is looked at
-            case Joint::Kind::Planar: return within(v[0]) && within(v[1]);
-            case Joint::Kind::Floating: break;
+            case Joint::Kind::Revolute:
+                return within(v[0]);
+            case Joint::Kind::Continuous:
+                return true;
+            case Joint::Kind::Mimic:
+                return true;  // its master is looked at
+            case Joint::Kind::Planar:
+                return within(v[0]) && within(v[1]);
+            case Joint::Kind::Floating:
+                break;
         }
         const double squared = v[3] * v[3] + v[4] * v[4] + v[5] * v[5] + v[6] * v[6];
         return within(v[0]) && within(v[1]) && within(v[2]) && std::abs(squared - 1.0) < kSlack;
@@ -277,12 +286,16 @@ private:
     {
         switch (joint.kind)
         {
-            case Joint::Kind::Revolute: return std::abs(a[0] - b[0]);
-            case Joint::Kind::Continuous: return std::abs(difference(a[0], b[0]));
-            case Joint::Kind::Mimic: return 0.0;
+            case Joint::Kind::Revolute:
+                return std::abs(a[0] - b[0]);
+            case Joint::Kind::Continuous:
+                return std::abs(difference(a[0], b[0]));
+            case Joint::Kind::Mimic:
+                return 0.0;
             case Joint::Kind::Planar:
                 return std::hypot(a[0] - b[0], a[1] - b[1]) + std::abs(difference(a[2], b[2]));
-            case Joint::Kind::Floating: break;
+            case Joint::Kind::Floating:
+                break;
         }
         double dot = 0.0;
         for (int i = 3; i < 7; ++i)
@@ -300,11 +313,16 @@ private:
         };
         switch (joint.kind)
         {
-            case Joint::Kind::Revolute: return linear(0);
-            case Joint::Kind::Continuous: return round(0);
-            case Joint::Kind::Mimic: return;
-            case Joint::Kind::Planar: return linear(0), linear(1), round(2);
-            case Joint::Kind::Floating: break;
+            case Joint::Kind::Revolute:
+                return linear(0);
+            case Joint::Kind::Continuous:
+                return round(0);
+            case Joint::Kind::Mimic:
+                return;
+            case Joint::Kind::Planar:
+                return linear(0), linear(1), round(2);
+            case Joint::Kind::Floating:
+                break;
         }
         double dot = 0.0;
         for (std::size_t i = 3; i < 7; ++i)

@@ -141,8 +141,8 @@ TEST(PoseSpace, ProvingThePathStopsWhenToldAndGoesOnLater)
         const int callsBefore = group.counts.calls;
         bool wasProving = planner.getReport().pathChecks > 0;
         int asked = 0;
-        const ob::PlannerStatus status = planner.solve(ob::PlannerTerminationCondition(
-            [&] { return wasProving ? ++asked > 1 : ++asked > 50; }));
+        const ob::PlannerStatus status =
+            planner.solve(ob::PlannerTerminationCondition([&] { return wasProving ? ++asked > 1 : ++asked > 50; }));
         solved = status == ob::PlannerStatus::EXACT_SOLUTION;
         if (wasProving)
             atMost = std::max(atMost, group.counts.calls - callsBefore);

@@ -12,8 +12,8 @@
 
 namespace specplan::planner
 {
-/// Checks a path once more, as PathGeometric::check() would, before it is called exact: over a state space of the user's
-/// own class a copy of a state may be worth less than the state that was checked.
+/// Checks a path once more, as PathGeometric::check() would, before it is called exact: over a state space of the
+/// user's own class a copy of a state may be worth less than the state that was checked.
 ///
 /// Threads: search thread only, while no worker runs.
 class PathProof

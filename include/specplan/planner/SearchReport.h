@@ -28,7 +28,7 @@ struct SearchReport
     std::uint64_t speculativeUsed = 0;      ///< of these, used later
     std::uint64_t speculativeDropped = 0;   ///< of these, taken back before they started
     std::uint64_t speculativeFailures = 0;  ///< checks that threw and were not needed
-    std::uint64_t pathChecks = 0;  ///< checks of found paths once more, over classes of the user's own; in no other count
+    std::uint64_t pathChecks = 0;           ///< of found paths once more (own classes of spaces); in no other count
     std::uint64_t usedReady = 0;            ///< used verdicts that were there when first asked for
     std::uint64_t usedAfterWait = 0;        ///< used verdicts that the search waited for
     std::uint64_t usedInline = 0;           ///< used verdicts from checks in the search thread

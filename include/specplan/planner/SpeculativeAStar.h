@@ -102,16 +102,16 @@ public:
     /// this planner replaces by the same test without its counters, is called by one worker at a time.
     void setMotionValidatorAllocator(MotionValidatorAllocator allocator);
 
-    /// Fills in a state of the user's own class after the planner has written its values: derived data such as poses, or
-    /// values that others determine. `complete` gets every lattice state before anybody else sees it, and changes no
-    /// value that is an axis. It is called by up to `num_threads` workers at once, each with a state of its own: what it
-    /// shares has to be thread-safe. States that OMPL makes are not handed to it: those of interpolate() and
+    /// Fills in a state of the user's own class after the planner has written its values: derived data such as poses,
+    /// or values that others determine. `complete` gets every lattice state before anybody else sees it, and changes no
+    /// value that is an axis. It is called by up to `num_threads` workers at once, each with a state of its own: what
+    /// it shares has to be thread-safe. States that OMPL makes are not handed to it: those of interpolate() and
     /// copyState() have to be whole by themselves. An empty function for none. The next solve() starts afresh.
     void setStateCompleter(std::function<void(ompl::base::State* state)> complete);
 
-    /// Describes the state space, or a part of it, where the planner cannot tell its axes, or should not guess. Replaces
-    /// what was said of the same space; no axes take it back. The next solve() starts afresh.
-    /// \throws std::invalid_argument with one line that names the axis.
+    /// Describes the state space, or a part of it, where the planner cannot tell its axes, or should not guess.
+    /// Replaces what was said of the same space; no axes take it back. The next solve() starts afresh. \throws
+    /// std::invalid_argument with one line that names the axis.
     void setLatticeAxes(const LatticeAxes& axes);
 
     /// What the last solve() did.

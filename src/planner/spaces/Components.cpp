@@ -14,10 +14,10 @@
 #include <ompl/base/spaces/TimeStateSpace.h>
 #include <ompl/util/Exception.h>
 
+#include "DescribedAxes.h"
 #include "specplan/planner/spaces/AxesComponent.h"
 #include "specplan/planner/spaces/CarComponent.h"
 #include "specplan/planner/spaces/CarPrimitives.h"
-#include "specplan/planner/spaces/DescribedAxes.h"
 #include "specplan/planner/spaces/RotationComponent.h"
 #include "specplan/planner/spaces/ValueAxes.h"
 

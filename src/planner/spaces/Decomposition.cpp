@@ -37,8 +37,8 @@ bool isOfPoses(const ob::StateSpace& space)
            dynamic_cast<const ob::SE3StateSpace*>(&space) != nullptr;
 }
 
-void takeApart(const ob::StateSpacePtr& space, const SpaceHooks& hooks, const std::vector<unsigned>& path, double weight,
-               bool place, Decomposition& out)
+void takeApart(const ob::StateSpacePtr& space, const SpaceHooks& hooks, const std::vector<unsigned>& path,
+               double weight, bool place, Decomposition& out)
 {
     if (const LatticeAxes* described = hooks.axesOf(*space, path.empty()))
     {

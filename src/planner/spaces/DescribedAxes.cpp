@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "specplan/planner/spaces/DescribedAxes.h"
+#include "DescribedAxes.h"
 
 #include <cmath>
 #include <sstream>
@@ -70,8 +70,9 @@ void validate(const LatticeAxes& described)
         if (described.write)
             continue;
         if (axis.value < 0)
-            throw std::invalid_argument(name + " needs 'value', its number among the values of copyToReals(), where "
-                                               "there are no 'read' and 'write'");
+            throw std::invalid_argument(name +
+                                        " needs 'value', its number among the values of copyToReals(), where "
+                                        "there are no 'read' and 'write'");
         for (std::size_t k = 0; k < i; ++k)
             if (described.axes[k].value == axis.value)
                 throw std::invalid_argument(name + " has the same value, number " + std::to_string(axis.value) +
@@ -104,8 +105,8 @@ void draftDescribed(const ob::StateSpacePtr& space, const LatticeAxes& described
         if (!(start[i] >= axes[i].lower - slack && start[i] <= axes[i].upper + slack))
         {
             std::ostringstream message;
-            message << naming(described, described.axes[i]) << " goes from " << axes[i].lower << " to "
-                    << axes[i].upper << ", but the start has " << start[i];
+            message << naming(described, described.axes[i]) << " goes from " << axes[i].lower << " to " << axes[i].upper
+                    << ", but the start has " << start[i];
             throw ompl::Exception(message.str());
         }
     }

@@ -8,7 +8,7 @@
 #include <ompl/base/ScopedState.h>
 #include <ompl/util/Exception.h>
 
-#include "specplan/planner/spaces/ValueProbe.h"
+#include "ValueProbe.h"
 
 namespace specplan::planner
 {
@@ -63,8 +63,10 @@ FilledValues findFilled(ValueProbe& probe)
 void refuseTangled(ValueProbe& probe, std::size_t value, const std::vector<bool>& filled, const std::string& space)
 {
     if (const auto other = probe.changesWith(value, filled))
-        throw ompl::Exception("the state space '" + space + "' has values that depend on each other: enforceBounds() "
-                              "changes value " + std::to_string(*other) + " when value " + std::to_string(value) +
+        throw ompl::Exception("the state space '" + space +
+                              "' has values that depend on each other: enforceBounds() "
+                              "changes value " +
+                              std::to_string(*other) + " when value " + std::to_string(value) +
                               " is moved, as those of a quaternion; they are no axes of a lattice: " + kDescribe);
 }
 }  // namespace
@@ -79,7 +81,8 @@ void draftValues(const ob::StateSpacePtr& space, const ob::State* origin, std::v
     if (probe.origin().empty() || !space->equalStates(copy.get(), origin))
         throw ompl::Exception("the state space '" + space->getName() +
                               "' is not made up of the values that copyToReals() tells (see "
-                              "StateSpace::getValueAddressAtIndex), so there is no lattice over it: " + kDescribe);
+                              "StateSpace::getValueAddressAtIndex), so there is no lattice over it: " +
+                              kDescribe);
     const FilledValues filled = findFilled(probe);
     std::vector<std::size_t> numbers;
     for (std::size_t value = 0; value < probe.origin().size(); ++value)

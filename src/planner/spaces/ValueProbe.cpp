@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "specplan/planner/spaces/ValueProbe.h"
+#include "ValueProbe.h"
 
 #include <algorithm>
 #include <array>

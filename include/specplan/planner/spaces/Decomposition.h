@@ -13,9 +13,9 @@ namespace specplan::planner
 struct Part
 {
     ompl::base::StateSpacePtr space;
-    std::vector<unsigned> path;  ///< numbers of the subspaces that lead to it; empty for the whole space
-    double weight;               ///< of its distance in the distance of the whole space
-    bool place = false;          ///< where a body is in the plane or in space: all its axes have the same unit
+    std::vector<unsigned> path;         ///< numbers of the subspaces that lead to it; empty for the whole space
+    double weight;                      ///< of its distance in the distance of the whole space
+    bool place = false;                 ///< where a body is in the plane or in space: all its axes have the same unit
     const LatticeAxes* axes = nullptr;  ///< what the user says of it; among the hooks
 
     [[nodiscard]] ompl::base::State* of(ompl::base::State* whole) const;
