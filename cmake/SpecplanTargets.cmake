@@ -2,6 +2,9 @@
 
 # specplan_warnings(TARGET): the project's warnings, private to TARGET.
 function(specplan_warnings target)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    return()
+  endif()
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wswitch-enum
     $<$<BOOL:${SPECPLAN_WERROR}>:-Werror>
@@ -32,6 +35,7 @@ function(specplan_embed target header name file)
     VERBATIM
   )
   target_sources(${target} PRIVATE "${source}")
+  set_source_files_properties("${source}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 # A sanitizer has to see every object of a program, so its flags hold for all targets from here down.

@@ -13,6 +13,7 @@
 #include "Run.h"
 #include "Speedup.h"
 #include "Text.h"
+#include "specplan/Version.h"
 #include "specplan/problems/InputError.h"
 
 namespace specplan::command

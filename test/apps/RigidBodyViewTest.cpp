@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// specplan plan --html on rigid bodies: what the page holds, and when there is none.
+// specplan plan --html on rigid bodies: what the page holds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,8 +12,6 @@ namespace specplan::test
 {
 namespace
 {
-constexpr bool kHasThreeJs = SPECPLAN_HAS_THREE_JS;
-
 std::size_t occurrences(const std::string& text, const std::string& what)
 {
     std::size_t count = 0;
@@ -45,12 +43,6 @@ private:
 class RigidBodyView : public testing::Test
 {
 protected:
-    void SetUp() override
-    {
-        if (!kHasThreeJs)
-            GTEST_SKIP() << "built without three.js (package libjs-three)";
-    }
-
     [[nodiscard]] std::string page() const
     {
         return "'" + folder_ / "a.html" + "'";
@@ -157,18 +149,6 @@ TEST_F(RigidBodyView, IsRefusedInOneLine)
         EXPECT_NE(outcome.err.find(each.complaint), std::string::npos) << outcome.err;
         EXPECT_EQ(folder_.files(), 0);
     }
-}
-
-TEST(RigidBodyViewMissing, SaysWhatItWasBuiltWithout)
-{
-    if (kHasThreeJs)
-        GTEST_SKIP() << "built with three.js";
-    const TemporaryFolder folder;
-    const Outcome outcome = call("plan '" + scene("office.cfg") + "' --html '" + folder / "a.html" + "'");
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_EQ(outcome.err,
-              "specplan: --html needs three.js (package libjs-three), which was not there when specplan was built\n");
-    EXPECT_EQ(folder.files(), 0);
 }
 }  // namespace
 }  // namespace specplan::test

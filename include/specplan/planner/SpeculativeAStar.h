@@ -12,6 +12,7 @@
 #include <ompl/base/Planner.h>
 #include <ompl/base/StateValidityChecker.h>
 
+#include "specplan/planner/BuiltWithOmpl.h"
 #include "specplan/planner/LatticeAxes.h"
 #include "specplan/planner/PlannerSettings.h"
 #include "specplan/planner/SearchReport.h"

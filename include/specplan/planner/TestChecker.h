@@ -6,6 +6,7 @@
 
 #include <ompl/base/SpaceInformation.h>
 
+#include "specplan/planner/BuiltWithOmpl.h"
 #include "specplan/planner/CheckerReport.h"
 #include "specplan/planner/SpeculativeAStar.h"
 

@@ -6,6 +6,7 @@
 
 #include <ompl/geometric/SimpleSetup.h>
 
+#include "specplan/planner/BuiltWithOmpl.h"
 #include "specplan/planner/PlannerSettings.h"
 #include "specplan/problems/ArtificialCheck.h"
 #include "specplan/problems/GridMap.h"

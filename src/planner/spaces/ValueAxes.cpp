@@ -24,11 +24,11 @@ constexpr const char* kDescribe = "describe its axes with SpeculativeAStar::setL
 RealAxis axisOf(ValueProbe& probe, std::size_t value, const std::string& space)
 {
     const std::string name = "value " + std::to_string(value);
-    constexpr double kFar = 1e6;
+    constexpr double kFarAway = 1e6;
     const auto enforced = [&](double to) { return probe.enforced(value, to)[value]; };
-    const double low = enforced(-kFar);
-    const double high = enforced(kFar);
-    if (low == enforced(-2.0 * kFar) && high == enforced(2.0 * kFar) && low > -kFar && high < kFar)
+    const double low = enforced(-kFarAway);
+    const double high = enforced(kFarAway);
+    if (low == enforced(-2.0 * kFarAway) && high == enforced(2.0 * kFarAway) && low > -kFarAway && high < kFarAway)
         return {name, low, high, false, 0.0, 0.0, false};
     const double here = probe.origin()[value];
     if (std::abs(enforced(here + kTurn) - here) < 1e-9 && std::abs(enforced(here + kTurn / 2.0) - here) > 1.0)

@@ -9,6 +9,7 @@
 #include <ompl/base/StateSpace.h>
 #include <ompl/base/StateValidityChecker.h>
 
+#include "specplan/planner/BuiltWithOmpl.h"
 #include "specplan/problems/fcl/RigidBodyScene.h"
 
 namespace specplan::problems

@@ -8,6 +8,7 @@
 #include <ompl/base/spaces/RealVectorBounds.h>
 #include <ompl/geometric/SimpleSetup.h>
 
+#include "specplan/planner/BuiltWithOmpl.h"
 #include "specplan/problems/ArtificialCheck.h"
 #include "specplan/problems/OmplAppProblem.h"
 #include "specplan/problems/fcl/Mesh.h"
