@@ -45,3 +45,23 @@ if(TARGET specplan_fcl)
 endif()
 list(JOIN specplan_deb_depends ", " CPACK_DEBIAN_DEV_PACKAGE_DEPENDS)
 include(CPack)
+
+# `check_packages` makes them, unpacks them into an empty folder and tries them; scripts/package and a test do that.
+if(SPECPLAN_BUILD_PLANNER)
+  set(SPECPLAN_CHECK_PACKAGES
+    ${CMAKE_COMMAND}
+    -D "SOURCE_DIR=${PROJECT_SOURCE_DIR}"
+    -D "BINARY_DIR=${PROJECT_BINARY_DIR}"
+    -D "WORK_DIR=${PROJECT_BINARY_DIR}/packages"
+    -D "CXX_COMPILER=${CMAKE_CXX_COMPILER}"
+    -D "GENERATOR=${CMAKE_GENERATOR}"
+    -D "OMPL_DIR=${ompl_DIR}"
+    -D "LIBDIR=${CMAKE_INSTALL_LIBDIR}"
+    -D "PREFIX=${CMAKE_INSTALL_PREFIX}"
+    -D "EXPECT_COMMAND=$<TARGET_EXISTS:specplan>"
+    -D "EXPECT_FCL=$<TARGET_EXISTS:specplan_fcl>"
+    -D "EXPECT_SHARED=$<STREQUAL:${specplan_core_type},SHARED_LIBRARY>"
+    -P "${PROJECT_SOURCE_DIR}/test/packaging/DebianPackages.cmake"
+  )
+  add_custom_target(check_packages COMMAND ${SPECPLAN_CHECK_PACKAGES} VERBATIM)
+endif()

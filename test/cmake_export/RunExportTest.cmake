@@ -9,7 +9,7 @@ function(configure name source)
     "-DCMAKE_BUILD_TYPE=${CONFIG}"
     "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
     "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
-    "-DCMAKE_PREFIX_PATH=${STAGE};${PREFIX_PATH}"
+    "-DCMAKE_PREFIX_PATH=${STAGE}"
     ${ARGN}
   )
   set(result "${result}" PARENT_SCOPE)
@@ -76,19 +76,19 @@ expect_no_output("specplan|ompl")
 
 # The same, found first by its prefix, as where an environment puts another OMPL in front.
 file(COPY "${WORK_DIR}/other_ompl/omplConfig.cmake" DESTINATION "${WORK_DIR}/other_prefix/lib/cmake/ompl")
-set(PREFIX_PATH "${WORK_DIR}/other_prefix")
+set(ENV{CMAKE_PREFIX_PATH} "${WORK_DIR}/other_prefix")
 configure(other_prefix "${source_dir}")
 expect_failure("but OMPL 9.7.3 was found in ${WORK_DIR}/other_prefix/lib/cmake/ompl")
-set(PREFIX_PATH "")
+unset(ENV{CMAKE_PREFIX_PATH})
 
 # Headers of another OMPL than the library's: no link, and both versions are named.
-file(WRITE "${WORK_DIR}/other_headers/ompl/config.h" "#include_next <ompl/config.h>
+file(WRITE "${WORK_DIR}/claims/ompl/config.h" "#include_next <ompl/config.h>
 #undef OMPL_MINOR_VERSION
 #define OMPL_MINOR_VERSION 77
 ")
 set(plain_flags "${CXX_FLAGS}")
-set(CXX_FLAGS "-I\"${WORK_DIR}/other_headers\" ${plain_flags}")
-configure(other_headers "${source_dir}" ${ompl} -DEXPECT_FCL=OFF)
+set(CXX_FLAGS "-I${WORK_DIR}/claims ${plain_flags}")
+configure(other_headers "${source_dir}" ${ompl} "-DEXPECT_FCL=${EXPECT_FCL}")
 expect_success()
 run_any("${CMAKE_COMMAND}" --build "${WORK_DIR}/other_headers" --config "${CONFIG}" --target use_planner)
 string(REGEX MATCH "^[0-9]+" major "${OMPL_VERSION}")

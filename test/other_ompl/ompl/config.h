@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The installed OMPL, said to be of the version SPECPLAN_OTHER_OMPL, a number as OMPL_VERSION_VALUE.
+#pragma once
+
+#include_next <ompl/config.h>
+
+#undef OMPL_VERSION_VALUE
+#undef OMPL_MAJOR_VERSION
+#undef OMPL_MINOR_VERSION
+#undef OMPL_PATCH_VERSION
+#define OMPL_VERSION_VALUE SPECPLAN_OTHER_OMPL
+#define OMPL_MAJOR_VERSION (SPECPLAN_OTHER_OMPL / 1000000)
+#define OMPL_MINOR_VERSION (SPECPLAN_OTHER_OMPL / 1000 % 1000)
+#define OMPL_PATCH_VERSION (SPECPLAN_OTHER_OMPL % 1000)
