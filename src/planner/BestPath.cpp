@@ -16,10 +16,16 @@ void BestPath::reset()
     path_.reset();
 }
 
+bool BestPath::leadsTo(const ob::Goal& goal) const
+{
+    return !satisfied_ || goal.isSatisfied(path_->getStates().back());
+}
+
 void BestPath::take(Path path, ob::Cost cost, const ob::Planner& planner)
 {
     path_ = std::move(path);
     cost_ = cost;
+    satisfied_ = planner.getProblemDefinition()->getGoal()->isSatisfied(path_->getStates().back());
     if (const auto& callback = planner.getProblemDefinition()->getIntermediateSolutionCallback())
     {
         const std::vector<ob::State*>& states = path_->getStates();

@@ -7,6 +7,8 @@
 
 #include <ompl/base/goals/GoalRegion.h>
 
+#include "specplan/planner/Distance.h"
+
 namespace specplan::planner
 {
 namespace ob = ompl::base;
@@ -91,7 +93,7 @@ double GoalHeuristic::lengthToGo(lattice::NodeId node) const
     else
     {
         for (const StateHandle& state : states_)
-            nearest = std::min(nearest, si_.distance(here_.get(), state.get()));
+            nearest = std::min(nearest, planner::distance(si_, here_.get(), state.get()));
     }
     return states_.empty() && !measures_ ? 0.0 : std::max(nearest - threshold_, 0.0);
 }

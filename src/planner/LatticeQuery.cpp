@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "specplan/planner/Distance.h"
 #include "specplan/planner/PathProof.h"
 #include "specplan/speculation/DirectionPolicy.h"
 #include "specplan/speculation/HedgedPolicy.h"
@@ -30,6 +31,9 @@ double automaticWeight(unsigned axes)
 
 /// Weight for a first path, soon to be bettered.
 constexpr double kHasty = 10.0;
+
+/// Weight where nobody has asked for a best path.
+constexpr double kAnyPath = 3.0;
 
 /// Bit by bit: a path has to end in the very state that was asked for.
 bool sameValues(const ob::StateSpace& space, const ob::State* a, const ob::State* b)
@@ -88,12 +92,14 @@ std::unique_ptr<speculation::Policy> LatticeQuery::makePolicy()
     return nullptr;
 }
 
-double LatticeQuery::firstWeight(bool goesOn) const
+double LatticeQuery::firstWeight(Wish wish) const
 {
     if (settings_.weight > 0.0)
         return settings_.weight;
     const double automatic = automaticWeight(embedding_.axes());
-    return goesOn && addsCosts() ? std::max(automatic, kHasty) : automatic;
+    if (!addsCosts() || wish == Wish::BestPath)
+        return automatic;
+    return std::max(automatic, wish == Wish::BetterPaths ? kHasty : kAnyPath);
 }
 
 void LatticeQuery::beginQuery()
@@ -134,12 +140,16 @@ double LatticeQuery::motionCost(NodeId from, NodeId to) const
 {
     embedding_.write(lattice_, from, from_.get());
     embedding_.write(lattice_, to, to_.get());
-    return costs_ ? costs_->ofMotion(from_.get(), to, to_.get()) : si_.distance(from_.get(), to_.get());
+    if (costs_)
+        return costs_->ofMotion(from_.get(), to, to_.get());
+    return distance(si_, from_.get(), to_.get());
 }
 
 void LatticeQuery::join(NodeId from, NodeId to)
 {
     lattice_.connect(from, to, motionCost(from, to));
+    if (eager_ != nullptr)
+        eager_->motionAdded(from);
 }
 
 void LatticeQuery::joinToLattice(NodeId terminal, Embedding::Joint joint,

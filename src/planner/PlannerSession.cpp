@@ -2,12 +2,12 @@
 #include "specplan/planner/PlannerSession.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <thread>
 #include <tuple>
 
-#include <ompl/base/goals/GoalLazySamples.h>
-#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/base/goals/GoalRegion.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
@@ -27,8 +27,13 @@ using validity::CheckStatistics;
 
 namespace
 {
-/// States taken from a goal that could be sampled for ever.
-constexpr std::size_t kMaxSampledGoals = 16;
+/// States taken from a goal region that can be sampled: at first and again whenever none of those can be reached, and
+/// in all.
+constexpr std::size_t kSampledGoals = 16;
+constexpr std::size_t kMostSampledGoals = 1024;
+
+/// How often a goal that may get states is looked at while nothing else is to be done.
+constexpr std::chrono::milliseconds kGoalPatience{1};
 
 /// A goal's threshold below this means "this very state".
 constexpr double kExact = 1e-9;
@@ -40,15 +45,10 @@ auto asTuple(const PlannerSettings& s)
                     s.executor, s.virtualCheckCost, s.stopAtFirstPath);
 }
 
-bool isStates(const ob::Goal& goal)
-{
-    return goal.hasType(ob::GOAL_STATE) || goal.hasType(ob::GOAL_STATES);
-}
-
 /// Whether states that were not sampled may satisfy the goal.
 bool isRegion(const ob::Goal& goal)
 {
-    return !isStates(goal) || goal.as<ob::GoalRegion>()->getThreshold() > kExact;
+    return !isMadeOfStates(goal) || goal.as<ob::GoalRegion>()->getThreshold() > kExact;
 }
 }  // namespace
 
@@ -82,6 +82,8 @@ void PlannerSession::resetQuery()
     live.checksUsed = 0;
     live.speculativeChecks = 0;
     live.bestCost = std::numeric_limits<double>::infinity();
+    inputs_.close();
+    inputsChanged_ = false;
 }
 
 void PlannerSession::ensureExecutor()
@@ -126,10 +128,9 @@ OmplChecker::Sources PlannerSession::makeSources() const
     return sources;
 }
 
-bool PlannerSession::takeStarts(ob::PlannerInputStates& inputs, const ob::ProblemDefinition& pdef)
+void PlannerSession::takeStarts(const ob::ProblemDefinition& pdef, const ob::PlannerTerminationCondition& ptc)
 {
-    bool added = false;
-    while (const ob::State* start = inputs.nextStart())
+    while (const ob::State* start = inputs_.nextStart(ptc))
     {
         if (!query)
         {
@@ -144,77 +145,99 @@ bool PlannerSession::takeStarts(ob::PlannerInputStates& inputs, const ob::Proble
         query->addStart(start);
         if (isFirst)
             query->requireWholeStates();
+        inputsChanged_ = true;
+    }
+}
+
+/// Takes the goal states that can be had now: all, or as many samples of a region as are wanted so far.
+/// \return whether there was a valid one.
+bool PlannerSession::takeGoals(const ob::Goal& goal, const ob::PlannerTerminationCondition& ptc)
+{
+    bool added = false;
+    while (goalsCameUp(goal))
+    {
+        const ob::State* state = inputs_.nextGoal(ptc);
+        if (state == nullptr)
+            break;
+        query->addGoal(state);
         added = true;
     }
     return added;
 }
 
-/// \param ptc nullptr: takes only what is there. Otherwise waits for the first one.
-bool PlannerSession::takeGoals(ob::PlannerInputStates& inputs, const ob::Goal& goal,
-                               const ob::PlannerTerminationCondition* ptc)
+/// Takes goal states as soon as they come up. \return false if there are none until `ptc` says stop, or none can come.
+bool PlannerSession::waitForGoals(const ob::Goal& goal, const ob::PlannerTerminationCondition& ptc)
 {
-    if (!goal.hasType(ob::GOAL_SAMPLEABLE_REGION))
-        return false;
-    bool added = false;
-    const std::size_t most = isStates(goal) ? std::size_t{1} << 20 : kMaxSampledGoals;
-    const ob::State* state = ptc != nullptr ? inputs.nextGoal(*ptc) : inputs.nextGoal();
-    for (; state != nullptr; state = inputs.nextGoal())
+    while (!takeGoals(goal, ptc))
     {
-        query->addGoal(state);
-        added = true;
-        if (query->goals().size() >= most)
-            break;
+        if (ptc())
+            return false;
+        if (inputs_.hasGoal() && sampleLimit_ < kMostSampledGoals)
+            sampleLimit_ += kSampledGoals;
+        else if (inputs_.mayGetGoals())
+            std::this_thread::sleep_for(kGoalPatience);
+        else
+            return false;
     }
-    return added;
+    return true;
 }
 
 /// Whether a goal has come up that the search does not know of yet.
-bool PlannerSession::moreGoals(const ob::PlannerInputStates& inputs, const ob::Goal& goal) const
+bool PlannerSession::goalsCameUp(const ob::Goal& goal) const
 {
-    return isStates(goal) && inputs.getSampledGoalsCount() < goal.as<ob::GoalSampleableRegion>()->maxSampleCount();
+    const std::size_t limit = isMadeOfStates(goal)  ? std::numeric_limits<std::size_t>::max()
+                              : inputs_.isGrowing() ? kMostSampledGoals
+                                                    : sampleLimit_;
+    return inputs_.goalsSeen() < limit && inputs_.hasGoal();
 }
 
-std::optional<ob::PlannerStatus> PlannerSession::openQuery(ob::PlannerInputStates& inputs,
-                                                           const ob::ProblemDefinition& pdef,
-                                                           const ob::PlannerTerminationCondition& ptc)
+std::optional<ob::PlannerStatus> PlannerSession::refuse(ob::PlannerStatus::StatusType status, const char* name)
 {
-    const Origins now(*si, pdef);
+    report.status = name;
+    return ob::PlannerStatus(status);
+}
+
+std::optional<ob::PlannerStatus> PlannerSession::openQuery(const ob::ProblemDefinitionPtr& pdef,
+                                                           const ob::PlannerTerminationCondition& ptc, bool waits)
+{
+    const Origins now(*si, *pdef);
     if (query && (sourcesChanged || !origins.same(now) || asTuple(querySettings) != asTuple(settings)))
-    {
         reset();
-        inputs.restart();
-    }
+    else if (!inputs_.continues(pdef) || (best_ && !best_.leadsTo(*pdef->getGoal())))
+        resetQuery();
     origins = now;
     querySettings = settings;
     sourcesChanged = false;
-    const auto refuse = [this](ob::PlannerStatus::StatusType status, const char* name)
-    {
-        report.status = name;
-        return ob::PlannerStatus(status);
-    };
-
     ensureExecutor();
-    if (!query)
-        inputs.restart();  // an earlier call may have taken starts and failed
-    bool changed = takeStarts(inputs, pdef);
+    if (!query || !inputs_.continues(pdef))  // without a query an earlier call took starts and failed
+    {
+        inputs_.open(pdef);
+        sampleLimit_ = kSampledGoals;
+    }
+
+    takeStarts(*pdef, ptc);
+    if (inputs_.hasStart() && (!query || query->starts().empty()))
+        return refuse(ob::PlannerStatus::TIMEOUT, "timeout");
     if (!query || query->starts().empty())
     {
         OMPL_ERROR("SpeculativeAStar: there is no valid start state");
         return refuse(ob::PlannerStatus::INVALID_START, "invalid start");
     }
-    const ob::GoalPtr& goal = pdef.getGoal();
-    if (changed)
+    const ob::GoalPtr& goal = pdef->getGoal();
+    if (inputsChanged_)
         query->setGoal(goal, isRegion(*goal));
-    changed = takeGoals(inputs, *goal, query->goals().empty() && isStates(*goal) ? &ptc : nullptr) || changed;
+    const bool added = waits && query->goals().empty() ? waitForGoals(*goal, ptc) : takeGoals(*goal, ptc);
+    inputsChanged_ = inputsChanged_ || added;
     if (query->goals().empty() && !isRegion(*goal))
     {
+        if (inputs_.hasGoal())
+            return refuse(ob::PlannerStatus::TIMEOUT, "timeout");
         OMPL_ERROR("SpeculativeAStar: there is no valid goal state");
         return refuse(ob::PlannerStatus::INVALID_GOAL, "invalid goal");
     }
-    if (changed)
-    {
-        beginFirstSearch(pdef);
-    }
+    if (inputsChanged_)
+        beginFirstSearch(*pdef);
+    inputsChanged_ = false;
     return std::nullopt;
 }
 
@@ -223,7 +246,9 @@ void PlannerSession::beginFirstSearch(const ob::ProblemDefinition& pdef)
     if (query->embedding().isCoarse())
         (void)query->refine();
     Schedule::Terms terms;
-    terms.weight = query->firstWeight(looksForBetter(pdef));
+    terms.weight = query->firstWeight(looksForBetter(pdef)              ? LatticeQuery::Wish::BetterPaths
+                                      : pdef.hasOptimizationObjective() ? LatticeQuery::Wish::BestPath
+                                                                        : LatticeQuery::Wish::AnyPath);
     terms.automatic = !(settings.weight > 0.0);
     terms.weighted = query->addsCosts();
     terms.coarsens = query->embedding().canCoarsen();
@@ -279,8 +304,7 @@ void PlannerSession::publishCounts()
     live.speculativeChecks.store(counts.speculativeChecks, std::memory_order_relaxed);
 }
 
-SearchStatus PlannerSession::search(ob::PlannerInputStates& inputs, const ob::Goal& goal,
-                                    const ob::PlannerTerminationCondition& ptc)
+SearchStatus PlannerSession::search(const ob::Goal& goal, const ob::PlannerTerminationCondition& ptc)
 {
     /// Nothing may run any more when solve() is left, whichever way.
     struct Settle
@@ -308,18 +332,17 @@ SearchStatus PlannerSession::search(ob::PlannerInputStates& inputs, const ob::Go
             [&]
             {
                 publishCounts();
-                goalCameUp = moreGoals(inputs, goal);
+                goalCameUp = goalsCameUp(goal);
                 return goalCameUp || isOutOfPatience() || ptc();
             });
-        const bool waits = end == SearchStatus::Infeasible && goal.hasType(ob::GOAL_LAZY_SAMPLES) &&
-                           goal.as<ob::GoalLazySamples>()->isSampling();
-        if (!waits && !(end == SearchStatus::Stopped && goalCameUp))
+        const bool exhausted = end == SearchStatus::Infeasible;
+        if (!exhausted && !(end == SearchStatus::Stopped && goalCameUp))
             return end;
         query->broker().settle();  // taking goals checks them in this thread
-        if (takeGoals(inputs, goal, waits ? &ptc : nullptr))
+        if (exhausted ? waitForGoals(goal, ptc) : takeGoals(goal, ptc))
             query->goalsChanged();
-        else if (waits)
-            return ptc() ? SearchStatus::Stopped : end;
+        else if (exhausted)
+            return ptc() && (inputs_.hasGoal() || inputs_.mayGetGoals()) ? SearchStatus::Stopped : end;
     }
 }
 
@@ -347,13 +370,12 @@ bool PlannerSession::isOutOfPatience() const
     return verdictsUsed() >= patienceEnds_;
 }
 
-ob::PlannerStatus PlannerSession::solve(ob::PlannerInputStates& inputs, const ob::PlannerTerminationCondition& ptc,
-                                        ob::Planner& planner)
+ob::PlannerStatus PlannerSession::solve(const ob::PlannerTerminationCondition& ptc, ob::Planner& planner)
 {
     const ob::ProblemDefinition& pdef = *planner.getProblemDefinition();
     while (!finished_)
     {
-        const SearchStatus end = proof_ ? SearchStatus::Solved : search(inputs, *pdef.getGoal(), ptc);
+        const SearchStatus end = proof_ ? SearchStatus::Solved : search(*pdef.getGoal(), ptc);
         if (end == SearchStatus::Stopped && !isOutOfPatience())
             break;
         if (end == SearchStatus::Solved)
@@ -414,8 +436,8 @@ void PlannerSession::fillReport()
     report.nodes = query->lattice().size();
     report.checksUsed = counts.checksUsed;
     report.checksReused = counts.checksReused;
-    report.checksTotal = counts.checksRun;
-    report.demandedChecks = counts.demandedChecks;
+    report.checksTotal = counts.checksRun + inputs_.checksRun();
+    report.demandedChecks = counts.demandedChecks + inputs_.checksRun();
     report.speculativeChecks = counts.speculativeChecks;
     report.speculativeUsed = counts.speculativeUsed;
     report.speculativeDropped = counts.speculativeDropped;

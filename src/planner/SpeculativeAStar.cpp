@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <optional>
 #include <utility>
 
@@ -88,28 +89,30 @@ ob::PlannerStatus SpeculativeAStar::solve(const ob::PlannerTerminationCondition&
     checkValidity();
     const double start = validity::steadySeconds();
     ob::PlannerStatus status;
+    std::exception_ptr failure;
+    session_->report.error.clear();
     try
     {
-        const auto refused = session_->openQuery(pis_, *pdef_, ptc);
-        status = refused ? *refused : session_->solve(pis_, ptc, *this);
+        const auto refused = session_->openQuery(pdef_, ptc, true);
+        status = refused ? *refused : session_->solve(ptc, *this);
     }
     catch (const std::exception& error)
     {
+        failure = std::current_exception();
         status = session_->crash(error.what(), getName());
-        if (session_->settings.rethrowExceptions)
-            throw;
     }
     catch (...)
     {
+        failure = std::current_exception();
         status = session_->crash("a check threw something that is not a std::exception", getName());
-        if (session_->settings.rethrowExceptions)
-            throw;
     }
     session_->report.wallTime += validity::steadySeconds() - start;
     if (session_->query && session_->query->isSearching())
         session_->fillReport();
     if (session_->tracer)
         session_->tracer->absorb();
+    if (failure && session_->settings.rethrowExceptions)
+        std::rethrow_exception(failure);
     return status;
 }
 
@@ -183,13 +186,12 @@ void SpeculativeAStar::setLatticeAxes(const LatticeAxes& axes)
 void SpeculativeAStar::forgetVerdicts()
 {
     session_->reset();
-    pis_.restart();
 }
 
 void SpeculativeAStar::explain(std::ostream& out)
 {
     checkValidity();
-    const auto refused = session_->openQuery(pis_, *pdef_, ob::plannerAlwaysTerminatingCondition());
+    const auto refused = session_->openQuery(pdef_, ob::plannerNonTerminatingCondition(), false);
     planner::explain(*session_, refused ? refused->asString() : "", out);
 }
 

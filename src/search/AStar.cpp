@@ -38,6 +38,14 @@ void AStar::addGoal(NodeId goal)
     place(goal);
 }
 
+void AStar::motionAdded(NodeId from)
+{
+    if (from >= nodes_.size() || !nodes_[from].closed)
+        return;  // an expansion still to come will find it
+    nodes_[from].closed = false;
+    place(from);
+}
+
 void AStar::heuristicChanged()
 {
     for (Node& node : nodes_)

@@ -28,6 +28,9 @@ public:
 
     void reset();
 
+    /// Whether the path still leads to the goal, if it did when it was found: a goal may have been changed since.
+    [[nodiscard]] bool leadsTo(const ompl::base::Goal& goal) const;
+
     /// Takes a path as the best one, and tells whoever wants to know at once.
     void take(Path path, ompl::base::Cost cost, const ompl::base::Planner& planner);
 
@@ -37,5 +40,6 @@ public:
 private:
     std::optional<ompl::base::Cost> cost_;
     Path path_;
+    bool satisfied_ = false;  ///< the goal was satisfied by the end of the path
 };
 }  // namespace specplan::planner

@@ -71,9 +71,16 @@ public:
         return settings_.evaluation == "lazy" && canBeLazy();
     }
 
-    /// Weight that the settings stand for; 1 for searches that have none. \param goesOn whether better paths are looked
-    /// for after the first one: then that one may be found in haste.
-    [[nodiscard]] double firstWeight(bool goesOn) const;
+    /// What is wanted of a path.
+    enum class Wish
+    {
+        AnyPath,     ///< no objective was given
+        BestPath,    ///< one that is as good as the settings promise
+        BetterPaths  ///< one, soon to be followed by better ones
+    };
+
+    /// Weight that the settings stand for; 1 for searches that have none.
+    [[nodiscard]] double firstWeight(Wish wish) const;
 
     /// Whether costs add up, so that weights have a meaning.
     [[nodiscard]] bool addsCosts() const noexcept

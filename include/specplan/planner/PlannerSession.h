@@ -20,6 +20,7 @@
 #include "specplan/planner/OmplChecker.h"
 #include "specplan/planner/Origins.h"
 #include "specplan/planner/PathProof.h"
+#include "specplan/planner/QueryInputs.h"
 #include "specplan/planner/Schedule.h"
 #include "specplan/planner/SpeculativeAStar.h"
 #include "specplan/planner/TracingChecker.h"
@@ -40,7 +41,8 @@ public:
         std::atomic<double> bestCost{std::numeric_limits<double>::infinity()};
     };
 
-    explicit PlannerSession(ompl::base::SpaceInformationPtr spaceInformation) : si(std::move(spaceInformation))
+    explicit PlannerSession(ompl::base::SpaceInformationPtr spaceInformation)
+        : si(std::move(spaceInformation)), inputs_(*si)
     {
     }
 
@@ -55,13 +57,13 @@ public:
 
     /// Makes lattice, starts and goals ready for a search.
     /// \return a status if there is nothing to search.
-    [[nodiscard]] std::optional<ompl::base::PlannerStatus> openQuery(
-        ompl::base::PlannerInputStates& inputs, const ompl::base::ProblemDefinition& pdef,
-        const ompl::base::PlannerTerminationCondition& ptc);
+    /// \param waits whether to wait for a first goal state, as long as one may come up.
+    [[nodiscard]] std::optional<ompl::base::PlannerStatus> openQuery(const ompl::base::ProblemDefinitionPtr& pdef,
+                                                                     const ompl::base::PlannerTerminationCondition& ptc,
+                                                                     bool waits);
 
     /// Searches, and goes on with smaller weights and finer lattices where that is wanted; tells OMPL what it finds.
-    [[nodiscard]] ompl::base::PlannerStatus solve(ompl::base::PlannerInputStates& inputs,
-                                                  const ompl::base::PlannerTerminationCondition& ptc,
+    [[nodiscard]] ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc,
                                                   ompl::base::Planner& planner);
 
     void fillReport();
@@ -106,12 +108,14 @@ private:
 
     void ensureExecutor();
     [[nodiscard]] OmplChecker::Sources makeSources() const;
-    bool takeStarts(ompl::base::PlannerInputStates& inputs, const ompl::base::ProblemDefinition& pdef);
-    bool takeGoals(ompl::base::PlannerInputStates& inputs, const ompl::base::Goal& goal,
-                   const ompl::base::PlannerTerminationCondition* ptc);
-    [[nodiscard]] bool moreGoals(const ompl::base::PlannerInputStates& inputs, const ompl::base::Goal& goal) const;
+    void takeStarts(const ompl::base::ProblemDefinition& pdef, const ompl::base::PlannerTerminationCondition& ptc);
+    [[nodiscard]] bool takeGoals(const ompl::base::Goal& goal, const ompl::base::PlannerTerminationCondition& ptc);
+    [[nodiscard]] bool waitForGoals(const ompl::base::Goal& goal, const ompl::base::PlannerTerminationCondition& ptc);
+    [[nodiscard]] bool goalsCameUp(const ompl::base::Goal& goal) const;
+    [[nodiscard]] std::optional<ompl::base::PlannerStatus> refuse(ompl::base::PlannerStatus::StatusType status,
+                                                                  const char* name);
     void publishCounts();
-    [[nodiscard]] search::SearchStatus search(ompl::base::PlannerInputStates& inputs, const ompl::base::Goal& goal,
+    [[nodiscard]] search::SearchStatus search(const ompl::base::Goal& goal,
                                               const ompl::base::PlannerTerminationCondition& ptc);
     void beginFirstSearch(const ompl::base::ProblemDefinition& pdef);
     [[nodiscard]] bool beginNextSearch(Schedule::End end);
@@ -126,6 +130,9 @@ private:
     [[nodiscard]] std::uint64_t expansions() const;
     [[nodiscard]] std::uint64_t orderHash() const;
 
+    QueryInputs inputs_;
+    bool inputsChanged_ = false;   ///< starts or goals have come that the search was not begun with
+    std::size_t sampleLimit_ = 0;  ///< samples to be taken from a goal region so far
     Schedule schedule_;
     double bound_ = std::numeric_limits<double>::quiet_NaN();
     unsigned refinements_ = 0;

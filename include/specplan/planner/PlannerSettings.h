@@ -42,8 +42,9 @@ struct PlannerSettings
     std::string evaluation = "eager";
 
     /// Weight of the heuristic (`weight`), 1 to 1e9: the cost is at most this many times the lattice optimum. 0
-    /// chooses: 1 up to four axes, 3 up to seven, 5 above; 10 for a first path that better ones follow. Of no effect
-    /// where the objective does not add up costs.
+    /// chooses: 1 up to four axes, 3 up to seven, 5 above; 10 for a first path that better ones follow; at least 3
+    /// where the problem definition has no objective, since then nobody has asked for the best path. Of no effect where
+    /// the objective does not add up costs.
     double weight = 0.0;
 
     /// Whether to go on while there is time (`anytime`): with smaller weights, then on finer lattices. Better paths are

@@ -80,6 +80,10 @@ public:
     /// Adds a goal, also during a search: then `heuristicChanged` has to follow. Its state is checked like any other.
     void addGoal(NodeId goal);
 
+    /// A motion out of this node has come up during the search: a closed node is opened again. `heuristicChanged` has
+    /// to follow.
+    void motionAdded(NodeId from);
+
     /// Goals have come up, so estimates have fallen: asks for all of them again.
     void heuristicChanged();
 
