@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "specplan/planner/Distance.h"
+#include "specplan/planner/LatticeFit.h"
 #include "specplan/planner/PathProof.h"
 #include "specplan/speculation/DirectionPolicy.h"
 #include "specplan/speculation/HedgedPolicy.h"
@@ -63,6 +64,7 @@ LatticeQuery::LatticeQuery(const ob::SpaceInformation& si, ob::OptimizationObjec
       predictor_(makePredictor()),
       heuristic_(si, *objective_, lattice_, embedding_, costs_ ? &*costs_ : nullptr)
 {
+    requireFit(si, embedding_, origin);
     if (costs_ && settings_.objectiveInChecks)
         lattice_.setMotionCosts(&*costs_);
     else if (costs_ || !embedding_.sumsDistances())

@@ -48,8 +48,9 @@ TEST_P(ParseNumber, ReadsWhatIsANumber)
 TEST_P(ParseNumber, RefusesEverythingElseAndLeavesTheNumberAlone)
 {
     for (const std::string text :
-         {"", " ", "+1", " 1", "1 ", "1\n", "1,5", "1.5x", "x", "-", ".", "e5", "1e", "1e+", "--1", "1.2.3", "0x10",
-          "0x1p3", "inf", "-inf", "nan", "infinity", "1e400", "-1e400", "1e-400", "1 2", "1_000", "1'000"})
+         {"",    " ",        "+1",    " 1",     "1 ",     "1\n",   "1,5",   "1.5x",  "x",   "-",
+          ".",   "e5",       "1e",    "1e+",    "--1",    "1.2.3", "0x10",  "0x1p3", "inf", "-inf",
+          "nan", "infinity", "1e400", "-1e400", "1e-400", "1 2",   "1_000", "1'000"})
     {
         double number = 99.0;
         EXPECT_FALSE(GetParam()(text, number)) << "'" << text << "'";

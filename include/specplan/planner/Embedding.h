@@ -50,6 +50,12 @@ public:
         return decomposition_.isOmpls && !hooks_.complete;
     }
 
+    /// What the space is made up of; each has a lattice of its own.
+    [[nodiscard]] const std::vector<Part>& parts() const noexcept
+    {
+        return decomposition_.parts;
+    }
+
     /// Number of degrees of freedom.
     [[nodiscard]] unsigned axes() const noexcept
     {
