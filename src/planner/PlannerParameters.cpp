@@ -24,6 +24,9 @@ constexpr double kMaxWeight = 1e9;
 constexpr double kMinResolution = 1e-6;
 constexpr double kMaxVirtualCost = 1e6;
 constexpr double kMaxSpacing = 1e12;
+/// Numbers between these are written without an exponent.
+constexpr double kLeastPlain = 1e-4;
+constexpr double kMostPlain = 1e7;
 constexpr const char* kSpacingExpected = "numbers greater than 0 and up to 1e12, separated by commas or blanks";
 
 [[noreturn]] void refuse(const std::string& name, const std::string& expected, const std::string& given)
@@ -39,14 +42,16 @@ std::string text(double value)
     out.imbue(std::locale::classic());
     out.precision(17);
     out << value;
-    // The shortest form that reads back as the same number.
+    // The shortest form that reads back as the same number, without an exponent where it needs none.
+    const double size = std::abs(value);
     for (int digits = 1; digits < 17; ++digits)
     {
         std::ostringstream shorter;
         shorter.imbue(std::locale::classic());
         shorter.precision(digits);
         shorter << value;
-        if (std::stod(shorter.str()) == value)
+        const bool plain = shorter.str().find('e') == std::string::npos || !(size >= kLeastPlain && size < kMostPlain);
+        if (plain && std::stod(shorter.str()) == value)
             return shorter.str();
     }
     return out.str();
@@ -135,7 +140,7 @@ void requireRange(const std::string& name, double value, double low, double high
     const bool inside = value >= low && value <= high;  // false for NaN
     if (!inside && !(zeroToo && value == 0.0))
     {
-        std::string expected = zeroToo ? "0, or between " : "between ";
+        std::string expected = zeroToo && low > 0.0 ? "0, or between " : "between ";
         expected += text(low) + " and " + text(high);
         refuse(name, expected, text(value));
     }

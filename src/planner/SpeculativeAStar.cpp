@@ -9,6 +9,7 @@
 
 #include <ompl/base/PlannerData.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
 #include "spaces/DescribedAxes.h"
@@ -69,6 +70,23 @@ void SpeculativeAStar::setup()
 {
     ob::Planner::setup();
     session_->prepare();
+    if (pdef_)
+        warnOfSettings();
+}
+
+/// Tells of settings that do not fit the space before a search does.
+void SpeculativeAStar::warnOfSettings() const
+{
+    if (pdef_->getStartStateCount() == 0)
+        return;
+    try
+    {
+        const planner::Embedding embedding(*si_, session_->settings, session_->hooks, pdef_->getStartState(0));
+    }
+    catch (const std::exception& error)
+    {
+        OMPL_WARN("%s: solve() will fail: %s", getName().c_str(), error.what());
+    }
 }
 
 void SpeculativeAStar::clear()
@@ -190,6 +208,10 @@ void SpeculativeAStar::forgetVerdicts()
 
 void SpeculativeAStar::explain(std::ostream& out)
 {
+    if (!pdef_)
+        throw ompl::Exception(getName() +
+                              ": explain() needs start and goal: call it after setProblemDefinition(), "
+                              "or after SimpleSetup::setup()");
     checkValidity();
     const auto refused = session_->openQuery(pdef_, ob::plannerNonTerminatingCondition(), false);
     planner::explain(*session_, refused ? refused->asString() : "", out);

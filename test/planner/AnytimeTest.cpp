@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include <ompl/base/ConstrainedSpaceInformation.h>
@@ -426,6 +427,50 @@ TEST(Explain, PlacesOfBodiesAreEquallyFarApartAlongAllAxes)
     EXPECT_TRUE(hasAxis(thin, 0, "50, 51 values, spacing 1\n") && hasAxis(thin, 1, "40, 41 values, spacing 1\n") &&
                 hasAxis(thin, 2, "0.1, 5 values, spacing 0.025\n"))
         << thin;
+}
+
+TEST(Explain, SpacingTakesAValueForEachAxisAndRotation)
+{
+    auto space = std::make_shared<ob::SE3StateSpace>();
+    ob::RealVectorBounds bounds(3);
+    bounds.setHigh(10.0);
+    space->setBounds(bounds);
+    og::SimpleSetup setup(space);
+    setup.setStateValidityChecker([](const ob::State*) { return true; });
+    ob::ScopedState<ob::SE3StateSpace> start(space);
+    start->setXYZ(5.0, 5.0, 5.0);
+    start->rotation().setIdentity();
+    setup.setStartAndGoalStates(start, start);
+    auto planner = std::make_shared<SpeculativeAStar>(setup.getSpaceInformation(), settingsFor(1));
+    setup.setPlanner(planner);
+    setup.setup();
+    const auto explained = [&planner](const std::vector<double>& spacing)
+    {
+        PlannerSettings settings = settingsFor(1);
+        settings.spacing = spacing;
+        planner->setSettings(settings);
+        std::ostringstream out;
+        planner->explain(out);
+        return out.str();
+    };
+    const auto has = [](const std::string& text, const std::string& part)
+    { return text.find(part) != std::string::npos; };
+    const std::string all = explained({1.0, 2.0, 5.0, std::numbers::pi / 4.0});
+    EXPECT_TRUE(has(all, "11 values, spacing 1\n") && has(all, "5 values, spacing 2\n") &&
+                has(all, "3 values, spacing 5\n") && has(all, "all rotations, 272 of them"))
+        << all;
+    const std::string places = explained({1.0, 2.0, 5.0});
+    EXPECT_TRUE(has(places, "3 values, spacing 5\n") && has(places, "all rotations, 40 of them")) << places;
+    try
+    {
+        (void)explained({1.0, 2.0});
+        FAIL() << "two values are refused";
+    }
+    catch (const ompl::Exception& error)
+    {
+        EXPECT_TRUE(has(error.what(), "spacing has 2 values; give one, or 3 for the axes, or 4 for: ")) << error.what();
+        EXPECT_TRUE(has(error.what(), "(rotation)")) << error.what();
+    }
 }
 
 /// The unit sphere.

@@ -148,9 +148,55 @@ TEST(Parameters, SettingsThatDoNotFitTheSpaceAreReported)
     EXPECT_NE(scene.planner->getReport().error.find("spacing has 3 values"), std::string::npos);
     settings.spacing = {};
     settings.connectivity = 5;
+    EXPECT_NO_THROW(scene.planner->setup()) << "warns";
     scene.planner->setSettings(settings);
     EXPECT_EQ(scene.solve(0.5), ob::PlannerStatus::CRASH);
     EXPECT_NE(scene.planner->getReport().error.find("connectivity is 5"), std::string::npos);
+}
+
+TEST(Parameters, NumbersInMessagesAreWrittenPlainly)
+{
+    Scene scene;
+    SpeculativeAStar planner(scene.setup.getSpaceInformation());
+    const auto said = [&planner](const PlannerSettings& settings)
+    {
+        try
+        {
+            planner.setSettings(settings);
+        }
+        catch (const std::invalid_argument& error)
+        {
+            return std::string(error.what());
+        }
+        return std::string("nothing");
+    };
+    PlannerSettings threads;
+    threads.numThreads = 5000;
+    EXPECT_EQ(said(threads), "num_threads must be between 0 and 4096, not '5000'");
+    PlannerSettings lookahead;
+    lookahead.lookahead = 0;
+    EXPECT_EQ(said(lookahead), "lookahead must be between 1 and 1000, not '0'");
+    PlannerSettings resolution;
+    resolution.resolution = 2.5;
+    EXPECT_EQ(said(resolution), "resolution must be 0, or between 1e-06 and 1, not '2.5'");
+}
+
+TEST(Parameters, BoundsThatHaveNoMiddleAreNamed)
+{
+    for (const double bound : {1e300, std::numeric_limits<double>::infinity()})
+    {
+        Scene scene;
+        ob::RealVectorBounds bounds(2);
+        bounds.setLow(0.0);
+        bounds.setHigh(1.0);
+        bounds.setHigh(1, bound);
+        scene.space->setBounds(bounds);
+        scene.space->setDimensionName(1, "height");
+        scene.plan(settingsFor(1));
+        EXPECT_EQ(scene.solve(1.0), ob::PlannerStatus::CRASH);
+        EXPECT_NE(scene.planner->getReport().error.find("bounds of height"), std::string::npos)
+            << scene.planner->getReport().error;
+    }
 }
 
 TEST(Specs, AreHonest)

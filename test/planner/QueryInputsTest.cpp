@@ -4,9 +4,11 @@
 
 #include <array>
 #include <limits>
+#include <sstream>
 
 #include <ompl/base/goals/GoalLazySamples.h>
 #include <ompl/base/goals/GoalState.h>
+#include <ompl/util/Exception.h>
 
 #include "Scene.h"
 #include "specplan/planner/OmplCompat.h"
@@ -338,6 +340,43 @@ TEST(QueryInputs, NoCheckIsBegunOnceTheConditionIsTrue)
     EXPECT_EQ(goals.solve(ob::plannerAlwaysTerminatingCondition()), ob::PlannerStatus::TIMEOUT);
     EXPECT_LE(goals.calls, 1);
     EXPECT_EQ(goals.solve(), ob::PlannerStatus::INVALID_GOAL);
+}
+
+TEST(QueryInputs, ExplainSaysWhatItMisses)
+{
+    Scene scene;
+    SpeculativeAStar planner(scene.setup.getSpaceInformation());
+    std::ostringstream out;
+    try
+    {
+        planner.explain(out);
+        FAIL() << out.str();
+    }
+    catch (const ompl::Exception& error)
+    {
+        EXPECT_NE(std::string(error.what()).find("setup()"), std::string::npos) << error.what();
+    }
+}
+
+TEST(QueryInputs, TheReportIsThatOfTheLastRun)
+{
+    for (const bool rethrow : {false, true})
+    {
+        Scene scene;
+        scene.throwIf = [](const double* x) { return x[0] > 0.3 && x[0] < 0.35; };
+        PlannerSettings settings = settingsFor(1);
+        settings.rethrowExceptions = rethrow;
+        scene.plan(settings);
+        if (rethrow)
+            EXPECT_THROW(scene.solve(), std::runtime_error);
+        else
+            EXPECT_EQ(scene.solve(), ob::PlannerStatus::CRASH);
+        EXPECT_NE(scene.planner->getReport().error, "");
+        EXPECT_GT(scene.planner->getReport().expansions, 0U) << "what was done before the failure";
+        scene.throwIf = {};
+        EXPECT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_EQ(scene.planner->getReport().error, "");
+    }
 }
 
 TEST(QueryInputs, ChecksOfStartsAndGoalsAreCounted)

@@ -60,7 +60,8 @@ struct PlannerSettings
     double resolution = 0.0;
 
     /// Lattice spacing in the units of the axes (`spacing`: numbers separated by commas, one for all axes but angles
-    /// beside others, or one for each), greater than 0. Empty: `resolution` decides.
+    /// beside others; one for each axis; or one for each axis, rotation (radians) and car (of its places)), greater
+    /// than 0. Empty: `resolution` decides.
     std::vector<double> spacing;
 
     /// How many axes may change in one step (`connectivity`), 1 to the number of axes; 0 chooses: all up to three axes,

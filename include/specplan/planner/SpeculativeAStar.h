@@ -78,15 +78,16 @@ public:
     void forgetVerdicts();
 
     /// Also starts the threads, at most as many as there are processors, so that no search has to. They sleep outside
-    /// of solve().
+    /// of solve(). Warns of settings that do not fit the space.
     void setup() override;
 
     /// \throws ompl::Exception if there is no lattice over the space.
     void checkValidity() override;
 
     /// A dry run: tells which lattice would be searched - its axes, steps, size, the checks that motions need, how the
-    /// goal is reached. Checks no more than starts and goals. Needs a problem definition, as solve() does.
-    /// \throws ompl::Exception as checkValidity() does, and if the settings do not fit the space.
+    /// goal is reached. Checks no more than starts and goals. Needs a problem definition, as solve() does; SimpleSetup
+    /// hands it over in its setup().
+    /// \throws ompl::Exception without one, as checkValidity() does, and if the settings do not fit the space.
     void explain(std::ostream& out);
 
     void getPlannerData(ompl::base::PlannerData& data) const override;
@@ -158,6 +159,8 @@ public:
     void setExpansionObserver(std::function<void(const ompl::base::State* state)> observer);
 
 private:
+    void warnOfSettings() const;
+
     std::unique_ptr<planner::PlannerSession> session_;
 };
 }  // namespace specplan

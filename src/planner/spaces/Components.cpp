@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <string>
 
 #include <ompl/base/spaces/DiscreteStateSpace.h>
@@ -35,6 +36,8 @@ constexpr double kRotations = 40.0;
 /// The fewest cells across a narrow place.
 constexpr double kFewestAcross = 4.0;
 constexpr double kUnboundedSteps = 1 << 20;
+/// A spacing that goes so nearly into a quarter turn goes into it.
+constexpr double kRoundingSlack = 1e-9;
 constexpr unsigned kFewestLevels = 3;
 constexpr unsigned kMostLevels = 8;
 
@@ -47,8 +50,22 @@ struct Draft
     bool angle = false;     ///< one axis, wrapping
     bool rotation = false;  ///< SO3
     bool car = false;
-    double extent = 0.0;  ///< of a car's plane, the smaller one
+    double extent = 0.0;   ///< of a car's plane, the smaller one
+    double spacing = 0.0;  ///< asked for a rotation or a car's places; 0 if none was
 };
+
+/// Beyond this distances, which are squared, have no finite value.
+constexpr double kFarthestBound = 1e150;
+
+void requireBounds(const std::string& axis, double low, double high)
+{
+    if (std::abs(low) <= kFarthestBound && std::abs(high) <= kFarthestBound)
+        return;
+    std::ostringstream message;
+    message << "the bounds of " << axis << " are " << low << " and " << high << "; a lattice needs finite ones, up to "
+            << kFarthestBound;
+    throw ompl::Exception(message.str());
+}
 
 void draftRealVector(const ob::RealVectorStateSpace& space, const std::string& name, Draft& draft)
 {
@@ -59,6 +76,7 @@ void draftRealVector(const ob::RealVectorStateSpace& space, const std::string& n
         std::string axis = space.getDimensionName(static_cast<unsigned>(i));
         if (axis.empty())
             axis = "axis " + std::to_string(i);
+        requireBounds(name + axis, bounds.low[i], bounds.high[i]);
         draft.axes.push_back({name + axis, bounds.low[i], bounds.high[i], false, 0.0, 0.0, false});
     }
     draft.access.read = [n](const ob::State* state, double* values)
@@ -201,14 +219,46 @@ bool allAngles(const std::vector<Draft>& drafts)
     return std::ranges::all_of(drafts, &Draft::angle);
 }
 
+/// Spacings of rotations and cars, and the spacing of each axis where there is one for each of them: one value for
+/// all, one for each axis, or one for each axis, rotation and car in the order of the parts.
+std::vector<double> takeSpacings(std::vector<Draft>& drafts, const std::vector<double>& values)
+{
+    std::string names;
+    std::size_t axes = 0;
+    std::size_t others = 0;
+    for (const Draft& draft : drafts)
+    {
+        for (const RealAxis& axis : draft.axes)
+            names += (names.empty() ? "" : ", ") + axis.name;
+        axes += draft.axes.size();
+        if (!draft.rotation && !draft.car)
+            continue;
+        ++others;
+        names += (names.empty() ? "" : ", ") + draft.part->space->getName() +
+                 (draft.rotation ? " (rotation)" : " (places of a car)");
+    }
+    const bool forAll = values.size() == axes + others;
+    if (values.size() > 1 && values.size() != axes && !forAll)
+        throw ompl::Exception("spacing has " + std::to_string(values.size()) + " values; give one, or " +
+                              (axes > 0 && others > 0 ? std::to_string(axes) + " for the axes, or " : "") +
+                              std::to_string(axes + others) + " for: " + names);
+    std::vector<double> ofAxes;
+    std::size_t next = 0;
+    for (Draft& draft : drafts)
+    {
+        for (std::size_t i = 0; i < draft.axes.size() && values.size() > 1; ++i)
+            ofAxes.push_back(values[next++]);
+        if (draft.rotation || draft.car)
+            draft.spacing = forAll && !values.empty() ? values[next++] : 0.0;
+        if (draft.car && values.size() == 1)
+            draft.spacing = values.front();
+    }
+    return ofAxes;
+}
+
 void chooseSpacings(std::vector<Draft>& drafts, const PlannerSettings& settings)
 {
-    unsigned axes = 0;
-    for (const Draft& draft : drafts)
-        axes += static_cast<unsigned>(draft.axes.size());
-    if (settings.spacing.size() > 1 && settings.spacing.size() != axes)
-        throw ompl::Exception("spacing has " + std::to_string(settings.spacing.size()) + " values; the space has " +
-                              std::to_string(axes) + " axes: give one value, or one for each axis");
+    const std::vector<double> ofAxes = takeSpacings(drafts, settings.spacing);
     const double cells = automaticCells(drafts);
     const bool onlyAngles = allAngles(drafts);
     std::size_t number = 0;
@@ -221,8 +271,8 @@ void chooseSpacings(std::vector<Draft>& drafts, const PlannerSettings& settings)
             const std::size_t i = number++;
             if (axis.whole)
                 continue;
-            if (settings.spacing.size() > 1)
-                axis.spacing = settings.spacing[i];
+            if (!ofAxes.empty())
+                axis.spacing = ofAxes[i];
             else if (!settings.spacing.empty() && (!draft.angle || onlyAngles))
                 axis.spacing = settings.spacing.front();
             else if (settings.resolution > 0.0)
@@ -242,18 +292,21 @@ void chooseSpacings(std::vector<Draft>& drafts, const PlannerSettings& settings)
 /// Spacing of a car's places: the arc from one heading to the next, unless the plane is too small or large.
 double carSpacing(const Draft& draft, const PlannerSettings& settings)
 {
-    if (settings.spacing.size() == 1)
-        return settings.spacing.front();
+    if (draft.spacing > 0.0)
+        return draft.spacing;
     if (settings.resolution > 0.0)
         return draft.extent * settings.resolution;
     const double arc = turningRadius(*draft.part->space) * 2.0 * std::numbers::pi / CarComponent::kHeadings;
     return std::clamp(arc, draft.extent / 200.0, draft.extent / 20.0);
 }
 
-lattice::Coordinate rotationCells(const Draft&, const PlannerSettings& settings, bool alone)
+/// Steps to a quarter turn.
+lattice::Coordinate rotationCells(const Draft& draft, const PlannerSettings& settings, bool alone)
 {
-    if (settings.resolution > 0.0)
-        return static_cast<lattice::Coordinate>(std::clamp(std::ceil(0.5 / settings.resolution), 1.0, 4096.0));
+    const double spacing = draft.spacing > 0.0 ? draft.spacing : settings.resolution * std::numbers::pi;
+    if (spacing > 0.0)
+        return static_cast<lattice::Coordinate>(
+            std::clamp(std::ceil(std::numbers::pi / 2.0 / spacing - kRoundingSlack), 1.0, 4096.0));
     return alone ? 4 : 1;
 }
 
