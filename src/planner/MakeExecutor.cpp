@@ -14,7 +14,8 @@ namespace specplan::planner
 using validity::CheckId;
 
 std::unique_ptr<validity::Executor> makeExecutor(const PlannerSettings& settings, unsigned threads,
-                                                 OmplChecker& checker, TracingChecker* tracer)
+                                                 OmplChecker& checker, TracingChecker* tracer,
+                                                 std::shared_ptr<validity::BudgetShare> share)
 {
     validity::Checker& first = tracer != nullptr ? static_cast<validity::Checker&>(*tracer) : checker;
     if (settings.executor == "virtual" && tracer != nullptr)
@@ -32,8 +33,10 @@ std::unique_ptr<validity::Executor> makeExecutor(const PlannerSettings& settings
                                                            { return cost * checker.statesOfLastCheck(0); });
     if (threads == 1)
         return std::make_unique<validity::InlineExecutor>(first);
-    auto pool = std::make_unique<validity::ThreadPoolExecutor>(first, threads);
-    pool->startThreads();
+    const bool shares = share != nullptr;
+    auto pool = std::make_unique<validity::ThreadPoolExecutor>(first, threads, std::move(share));
+    if (!shares)
+        pool->startThreads();
     return pool;
 }
 }  // namespace specplan::planner

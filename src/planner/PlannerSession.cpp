@@ -86,23 +86,35 @@ void PlannerSession::resetQuery()
     inputsChanged_ = false;
 }
 
+std::shared_ptr<validity::BudgetShare> PlannerSession::openShare()
+{
+    if (!budget)
+        share.reset();
+    else if (!share || share->budget() != budget)
+        share = std::make_shared<validity::BudgetShare>(budget);
+    return share;
+}
+
 void PlannerSession::ensureExecutor()
 {
     unsigned threads = settings.numThreads;
     if (threads == 0)
         threads = std::max(std::thread::hardware_concurrency(), 1U);
+    if (openShare())
+        threads = std::min(threads, budget->threads());
     if (executor && executorSettings.numThreads == threads && executorSettings.executor == settings.executor &&
-        executorSettings.virtualCheckCost == settings.virtualCheckCost && executorTrace == trace)
+        executorSettings.virtualCheckCost == settings.virtualCheckCost && executorTrace == trace && executorShare == share)
         return;
     executor.reset();
     tracer.reset();
     checker = std::make_unique<OmplChecker>(*si, threads);
     if (trace)
         tracer = std::make_unique<TracingChecker>(*checker, threads, trace, settings.executor == "virtual");
-    executor = makeExecutor(settings, threads, *checker, tracer.get());
+    executor = makeExecutor(settings, threads, *checker, tracer.get(), share);
     executorSettings = settings;
     executorSettings.numThreads = threads;
     executorTrace = trace;
+    executorShare = share;
 }
 
 OmplChecker::Sources PlannerSession::makeSources() const

@@ -16,6 +16,7 @@
 #include "specplan/planner/Explanation.h"
 #include "specplan/planner/PlannerParameters.h"
 #include "specplan/planner/PlannerSession.h"
+#include "specplan/validity/BudgetShare.h"
 #include "specplan/validity/RunCheck.h"
 
 namespace specplan
@@ -56,14 +57,19 @@ void SpeculativeAStar::checkValidity()
     ob::Planner::checkValidity();
     try
     {
-        for (const planner::Part& part : planner::decompose(si_->getStateSpace(), session_->hooks).parts)
-            if (const auto* real = dynamic_cast<const ob::RealVectorStateSpace*>(part.space.get()))
-                real->getBounds().check();
+        requireLattice();
     }
     catch (const ompl::Exception& error)
     {
         throw ompl::Exception(getName() + ": " + error.what());
     }
+}
+
+void SpeculativeAStar::requireLattice() const
+{
+    for (const planner::Part& part : planner::decompose(si_->getStateSpace(), session_->hooks).parts)
+        if (const auto* real = dynamic_cast<const ob::RealVectorStateSpace*>(part.space.get()))
+            real->getBounds().check();
 }
 
 void SpeculativeAStar::setup()
@@ -104,13 +110,15 @@ void SpeculativeAStar::clearQuery()
 
 ob::PlannerStatus SpeculativeAStar::solve(const ob::PlannerTerminationCondition& ptc)
 {
-    checkValidity();
+    ob::Planner::checkValidity();
     const double start = validity::steadySeconds();
+    const validity::BudgetSeat seat(session_->openShare());
     ob::PlannerStatus status;
     std::exception_ptr failure;
     session_->report.error.clear();
     try
     {
+        requireLattice();  // not an exception: OMPL's ParallelPlan would end the program
         const auto refused = session_->openQuery(pdef_, ptc, true);
         status = refused ? *refused : session_->solve(ptc, *this);
     }
@@ -198,6 +206,12 @@ void SpeculativeAStar::setLatticeAxes(const LatticeAxes& axes)
                     described.end());
     if (!axes.axes.empty())
         described.push_back(axes);
+    session_->sourcesChanged = true;
+}
+
+void SpeculativeAStar::setThreadBudget(std::shared_ptr<ThreadBudget> budget)
+{
+    session_->budget = std::move(budget);
     session_->sourcesChanged = true;
 }
 

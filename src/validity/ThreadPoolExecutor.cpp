@@ -61,10 +61,11 @@ void spin(double seconds, const Ready& ready)
 }
 }  // namespace
 
-ThreadPoolExecutor::ThreadPoolExecutor(Checker& checker, unsigned workers)
+ThreadPoolExecutor::ThreadPoolExecutor(Checker& checker, unsigned workers, std::shared_ptr<BudgetShare> share)
     : checker_(checker),
       workers_(std::max(workers, 1U)),
       processors_(std::max(std::thread::hardware_concurrency(), 1U)),
+      share_(std::move(share)),
       threadLimit_(workers_)
 {
     threads_.reserve(workers_);

@@ -24,6 +24,16 @@ public:
     struct PoseState : GroupSpace::StateType
     {
         std::array<double, 3> pose{1e3, 1e3, 1e3};  ///< x, y, direction
+
+        /// As MoveIt's states have it; joint values are always there here.
+        void setJointsComputed(bool)
+        {
+        }
+
+        void setPoseComputed(bool value)
+        {
+            flags = value ? flags | PoseComputed : flags & ~static_cast<unsigned>(PoseComputed);
+        }
     };
 
     /// \param marksCopies whether the copy of a state without a pose is marked as invalid.

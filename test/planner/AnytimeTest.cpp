@@ -501,15 +501,10 @@ TEST(Spaces, ConstrainedOnesAreRefusedWithTheReason)
     pdef->setStartAndGoalStates(pole, pole);
     SpeculativeAStar planner(si);
     planner.setProblemDefinition(pdef);
-    try
-    {
-        (void)planner.solve(0.1);
-        FAIL() << "not refused";
-    }
-    catch (const ompl::Exception& error)
-    {
-        EXPECT_NE(std::string(error.what()).find("constrained to a manifold"), std::string::npos) << error.what();
-    }
+    EXPECT_THROW(planner.checkValidity(), ompl::Exception);
+    EXPECT_EQ(planner.solve(0.1), ob::PlannerStatus::CRASH);
+    const std::string& error = planner.getReport().error;
+    EXPECT_NE(error.find("constrained to a manifold"), std::string::npos) << error;
 }
 
 TEST(Heuristics, AUsersCostToGoCountsAndMayBeInconsistent)

@@ -24,6 +24,7 @@
 #include "specplan/planner/Schedule.h"
 #include "specplan/planner/SpeculativeAStar.h"
 #include "specplan/planner/TracingChecker.h"
+#include "specplan/validity/BudgetShare.h"
 #include "specplan/validity/Executor.h"
 
 namespace specplan::planner
@@ -49,6 +50,9 @@ public:
     /// Starts threads ahead of the first search.
     void prepare();
 
+    /// What the planner has of its budget; empty if it has none.
+    [[nodiscard]] std::shared_ptr<validity::BudgetShare> openShare();
+
     /// Forgets everything but the settings.
     void reset();
 
@@ -73,6 +77,7 @@ public:
     PlannerSettings settings;
     SpeculativeAStar::StateValidityCheckerAllocator checkerAllocator;
     SpeculativeAStar::MotionValidatorAllocator motionValidatorAllocator;
+    std::shared_ptr<ThreadBudget> budget;  ///< shared with other planners; empty for none
     SpaceHooks hooks;  ///< a change has to drop the query
     std::function<void(const ompl::base::State*)> observer;
     std::shared_ptr<CheckTrace> trace;  ///< of what checks find and how long they take; empty for none
@@ -80,9 +85,11 @@ public:
     // Order matters: the executor's threads end before the checker they use.
     std::unique_ptr<OmplChecker> checker;
     std::unique_ptr<TracingChecker> tracer;  ///< before the checker, if there is a trace
+    std::shared_ptr<validity::BudgetShare> share;  ///< of the budget
     std::unique_ptr<validity::Executor> executor;
     PlannerSettings executorSettings;
     std::shared_ptr<CheckTrace> executorTrace;
+    std::shared_ptr<validity::BudgetShare> executorShare;
     std::unique_ptr<LatticeQuery> query;
     PlannerSettings querySettings;
     Origins origins;

@@ -16,6 +16,7 @@
 #include "specplan/planner/LatticeAxes.h"
 #include "specplan/planner/PlannerSettings.h"
 #include "specplan/planner/SearchReport.h"
+#include "specplan/validity/ThreadBudget.h"
 
 namespace specplan
 {
@@ -62,7 +63,7 @@ public:
     /// the calling thread only, before each expansion and each motion's check (and now and then while an expansion
     /// takes longer than 50 ms). \return EXACT_SOLUTION; APPROXIMATE_SOLUTION or TIMEOUT if stopped; INFEASIBLE (ABORT
     /// before OMPL 1.6) if no goal can be reached on this lattice; INVALID_START; INVALID_GOAL; UNRECOGNIZED_GOAL_TYPE;
-    /// CRASH if a check threw.
+    /// CRASH if a check threw, or the space or the settings are refused: the report says why.
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
     using ompl::base::Planner::solve;
 
@@ -117,6 +118,11 @@ public:
     /// std::invalid_argument with one line that names the axis.
     void setLatticeAxes(const LatticeAxes& axes);
 
+    /// Lets planners that solve at the same time share so many threads; a null pointer for none to be shared. No more
+    /// than the budget's threads are then used, whatever `num_threads` says, and none starts before there is work.
+    /// Results are the same with every budget. The next solve() may wait for one check of another planner.
+    void setThreadBudget(std::shared_ptr<ThreadBudget> budget);
+
     /// What the last solve() did.
     const SearchReport& getReport() const;
 
@@ -159,6 +165,7 @@ public:
     void setExpansionObserver(std::function<void(const ompl::base::State* state)> observer);
 
 private:
+    void requireLattice() const;
     void warnOfSettings() const;
 
     std::unique_ptr<planner::PlannerSession> session_;

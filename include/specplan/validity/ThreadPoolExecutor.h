@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "specplan/validity/BudgetShare.h"
 #include "specplan/validity/InlineRunner.h"
 #include "specplan/validity/MajorityVote.h"
 #include "specplan/validity/PoolRules.h"
@@ -30,7 +31,7 @@ class ThreadPoolExecutor : public Executor
 {
 public:
     /// \param checker must outlive the executor. \param workers at least 1.
-    ThreadPoolExecutor(Checker& checker, unsigned workers);
+    ThreadPoolExecutor(Checker& checker, unsigned workers, std::shared_ptr<BudgetShare> share = nullptr);
     ~ThreadPoolExecutor() override;
     ThreadPoolExecutor(const ThreadPoolExecutor&) = delete;
     ThreadPoolExecutor& operator=(const ThreadPoolExecutor&) = delete;
@@ -110,6 +111,7 @@ private:
     Checker& checker_;
     const unsigned workers_;
     const unsigned processors_;
+    const std::shared_ptr<BudgetShare> share_;
 
     // Search thread only.
     std::size_t inHand_ = 0;   ///< submitted and not collected
