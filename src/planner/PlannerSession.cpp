@@ -156,8 +156,22 @@ void PlannerSession::takeStarts(const ob::ProblemDefinition& pdef, const ob::Pla
         const bool isFirst = query->starts().empty();
         query->addStart(start);
         if (isFirst)
-            query->requireWholeStates();
+            requireWholeStates();
         inputsChanged_ = true;
+    }
+}
+
+/// The next call begins anew where the states that the planner writes are not whole.
+void PlannerSession::requireWholeStates()
+{
+    try
+    {
+        query->requireWholeStates();
+    }
+    catch (...)
+    {
+        query.reset();
+        throw;
     }
 }
 

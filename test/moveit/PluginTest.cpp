@@ -5,9 +5,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <ompl/util/Console.h>
 #include <moveit/ompl_interface/ompl_interface.hpp>
 #include <moveit/ompl_interface/parameterization/work_space/pose_model_state_space.hpp>
-#include <ompl/util/Console.h>
 
 #include "Group.h"
 
@@ -24,8 +24,8 @@ protected:
     {
         ompl_interface::PlanningContextManager::allocators().clear();
         rclcpp::logged().clear();
-        EXPECT_TRUE(manager->initialize(std::make_shared<moveit::core::RobotModel>(),
-                                        std::make_shared<rclcpp::Node>(), "manipulator"));
+        EXPECT_TRUE(manager->initialize(std::make_shared<moveit::core::RobotModel>(), std::make_shared<rclcpp::Node>(),
+                                        "manipulator"));
     }
 
     [[nodiscard]] static std::shared_ptr<SpeculativeAStar> plannerOf(Group& group)

@@ -65,6 +65,10 @@ TEST(PoseSpace, IsRefusedBeforeTheSearchWhileNobodyFillsInThePoses)
         EXPECT_NE(error.find("setStateCompleter"), std::string::npos) << error;
         EXPECT_EQ(error.find('\n'), std::string::npos);
         EXPECT_LE(group.counts.calls, 3) << "the start, and two of the state that was written";
+        const std::string first = error;
+        EXPECT_EQ(planner.ob::Planner::solve(20.0), ob::PlannerStatus::CRASH) << "it does not become better by itself";
+        EXPECT_EQ(planner.getReport().error, first);
+        EXPECT_LE(group.counts.calls, 6);
     }
 }
 

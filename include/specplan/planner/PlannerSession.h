@@ -115,6 +115,7 @@ private:
 
     void ensureExecutor();
     [[nodiscard]] OmplChecker::Sources makeSources() const;
+    void requireWholeStates();
     void takeStarts(const ompl::base::ProblemDefinition& pdef, const ompl::base::PlannerTerminationCondition& ptc);
     [[nodiscard]] bool takeGoals(const ompl::base::Goal& goal, const ompl::base::PlannerTerminationCondition& ptc);
     [[nodiscard]] bool waitForGoals(const ompl::base::Goal& goal, const ompl::base::PlannerTerminationCondition& ptc);
