@@ -103,7 +103,8 @@ void PlannerSession::ensureExecutor()
     if (openShare())
         threads = std::min(threads, budget->threads());
     if (executor && executorSettings.numThreads == threads && executorSettings.executor == settings.executor &&
-        executorSettings.virtualCheckCost == settings.virtualCheckCost && executorTrace == trace && executorShare == share)
+        executorSettings.virtualCheckCost == settings.virtualCheckCost && executorTrace == trace &&
+        executorShare == share)
         return;
     executor.reset();
     tracer.reset();

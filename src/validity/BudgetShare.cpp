@@ -15,8 +15,7 @@ void BudgetShare::enter()
     ThreadBudget& all = *budget_;
     std::unique_lock lock(all.mutex_);
     ++all.entering_;  // nobody borrows meanwhile
-    all.changed_.wait(lock,
-                      [&all] { return all.solving_ + all.lent_ < all.threads_ || all.solving_ >= all.threads_; });
+    all.changed_.wait(lock, [&all] { return all.solving_ + all.lent_ < all.threads_ || all.solving_ >= all.threads_; });
     --all.entering_;
     ++all.solving_;
     lock.unlock();

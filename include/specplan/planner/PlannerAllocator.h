@@ -14,9 +14,9 @@
 
 namespace specplan
 {
-/// Makes a planner for each request, as MoveIt's OMPL interface does: a ConfiguredPlannerAllocator that knows no type of
-/// MoveIt's. All planners of one allocator, and of its copies, share one budget of threads, so that several attempts at
-/// the same time take no more threads than one.
+/// Makes a planner for each request, as MoveIt's OMPL interface does: a ConfiguredPlannerAllocator that knows no type
+/// of MoveIt's. All planners of one allocator, and of its copies, share one budget of threads, so that several attempts
+/// at the same time take no more threads than one.
 ///
 /// Threads: any; each call makes a planner of its own.
 class PlannerAllocator
@@ -38,8 +38,8 @@ public:
         return allocate(si, name, specification.config_);
     }
 
-    /// The same from the parameters. A value that is refused is logged with its parameter and its range, and the default
-    /// stays. \param name of the planner; empty for its own.
+    /// The same from the parameters. A value that is refused is logged with its parameter and its range, and the
+    /// default stays. \param name of the planner; empty for its own.
     [[nodiscard]] std::shared_ptr<SpeculativeAStar> allocate(const ompl::base::SpaceInformationPtr& si,
                                                              const std::string& name,
                                                              const std::map<std::string, std::string>& config) const;

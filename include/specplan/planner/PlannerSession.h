@@ -78,13 +78,13 @@ public:
     SpeculativeAStar::StateValidityCheckerAllocator checkerAllocator;
     SpeculativeAStar::MotionValidatorAllocator motionValidatorAllocator;
     std::shared_ptr<ThreadBudget> budget;  ///< shared with other planners; empty for none
-    SpaceHooks hooks;  ///< a change has to drop the query
+    SpaceHooks hooks;                      ///< a change has to drop the query
     std::function<void(const ompl::base::State*)> observer;
     std::shared_ptr<CheckTrace> trace;  ///< of what checks find and how long they take; empty for none
 
     // Order matters: the executor's threads end before the checker they use.
     std::unique_ptr<OmplChecker> checker;
-    std::unique_ptr<TracingChecker> tracer;  ///< before the checker, if there is a trace
+    std::unique_ptr<TracingChecker> tracer;        ///< before the checker, if there is a trace
     std::shared_ptr<validity::BudgetShare> share;  ///< of the budget
     std::unique_ptr<validity::Executor> executor;
     PlannerSettings executorSettings;

@@ -15,9 +15,9 @@
 #include <vector>
 
 #include <ompl/util/Console.h>
+#include <specplan/planner/PlannerAllocator.h>
 #include <pluginlib/class_list_macros.hpp>
 #include <rclcpp/rclcpp.hpp>
-#include <specplan/planner/PlannerAllocator.h>
 
 namespace specplan_moveit
 {

@@ -4,9 +4,9 @@
 #include <memory>
 
 /// Instead of registering the class: a function that makes one.
-#define PLUGINLIB_EXPORT_CLASS(Class, Base)  \
-    std::unique_ptr<Base> makePlugin();      \
-    std::unique_ptr<Base> makePlugin()       \
-    {                                        \
-        return std::make_unique<Class>();    \
+#define PLUGINLIB_EXPORT_CLASS(Class, Base) \
+    std::unique_ptr<Base> makePlugin();     \
+    std::unique_ptr<Base> makePlugin()      \
+    {                                       \
+        return std::make_unique<Class>();   \
     }

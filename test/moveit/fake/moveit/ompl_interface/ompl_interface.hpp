@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include <moveit/planning_interface/planning_interface.hpp>
 #include <ompl/base/Planner.h>
+#include <moveit/planning_interface/planning_interface.hpp>
 
 namespace ompl_interface
 {
