@@ -37,9 +37,15 @@ void GoalHeuristic::setGoal(const ob::Goal* goal, bool region, const ob::State* 
     measures_ = !goal->hasType(ob::GOAL_STATE) && !goal->hasType(ob::GOAL_STATES);
     threshold_ = region && isRegion ? goal->as<ob::GoalRegion>()->getThreshold() : 0.0;
     // OMPL's default for path length is the distance to the goal, which the lattice knows better.
-    asksObjective_ =
-        isRegion && objective_.hasCostToGoHeuristic() &&
-        (costs_ != nullptr || objective_.costToGo(start, goal).value() != ob::goalRegionCostToGo(start, goal).value());
+    asksObjective_ = isRegion && objective_.hasCostToGoHeuristic() && (costs_ != nullptr || ownCostToGo(start));
+}
+
+/// Whether the cost to go is not OMPL's. The user's code gets copies of the start, since it may write into them.
+bool GoalHeuristic::ownCostToGo(const ob::State* start) const
+{
+    const StateHandle one(si_, start);
+    const StateHandle other(si_, start);
+    return objective_.costToGo(one.get(), goal_).value() != ob::goalRegionCostToGo(other.get(), goal_).value();
 }
 
 void GoalHeuristic::addState(const ob::State* state)

@@ -524,7 +524,8 @@ bool PlannerSession::publishApproximation(ob::Planner& planner) const
         return false;  // nothing is nearer than a start
     const std::shared_ptr<og::PathGeometric> path = pathTo(nearest.node);
     double difference = nearest.distance;
-    planner.getProblemDefinition()->getGoal()->isSatisfied(path->getStates().back(), &difference);
+    const StateHandle end(*si, path->getStates().back());  // the user's goal may write into it
+    planner.getProblemDefinition()->getGoal()->isSatisfied(end.get(), &difference);
     ob::PlannerSolution solution(path);
     solution.setPlannerName(planner.getName());
     solution.setApproximate(difference);

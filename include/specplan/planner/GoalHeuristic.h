@@ -46,6 +46,7 @@ public:
     [[nodiscard]] double distance(const ompl::base::State* state) const;
 
 private:
+    [[nodiscard]] bool ownCostToGo(const ompl::base::State* start) const;
     [[nodiscard]] double lengthToGo(lattice::NodeId node) const;
     [[nodiscard]] double costToGo() const;
     [[nodiscard]] double none() const;
