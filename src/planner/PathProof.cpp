@@ -47,7 +47,8 @@ bool PathProof::run(const std::function<bool()>& stop)
     return true;
 }
 
-/// Checks one more state, or motion, and moves on.
+/// Checks one more state, or motion, and moves on. The user's code gets copies: the path stays what it is, should that
+/// write into them.
 bool PathProof::checkNext()
 {
     const ob::State* to = path_->getState(static_cast<unsigned>(state_));
@@ -56,7 +57,7 @@ bool PathProof::checkNext()
         from == nullptr ? 1U : (discrete_ ? si_.getStateSpace()->validSegmentCount(from, to) : 2U);
     bool valid = false;
     if (inner_ == 0)
-        valid = si_.isValid(to);
+        valid = si_.isValid(StateHandle(si_, to).get());
     else if (discrete_)
     {
         const StateHandle state(si_);
@@ -64,7 +65,7 @@ bool PathProof::checkNext()
         valid = si_.isValid(state.get());
     }
     else
-        valid = si_.checkMotion(from, to);
+        valid = si_.checkMotion(StateHandle(si_, from).get(), StateHandle(si_, to).get());
     if (++inner_ >= segments)
     {
         inner_ = 0;

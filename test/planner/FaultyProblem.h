@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <random>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/goals/GoalState.h>
@@ -31,8 +34,8 @@ enum class Place
     Termination
 };
 
-constexpr std::array kPlaces{Place::Checker, Place::Validator, Place::Objective,
-                             Place::Goal,    Place::Space,     Place::Termination};
+inline constexpr std::array kPlaces{Place::Checker, Place::Validator, Place::Objective,
+                                    Place::Goal,    Place::Space,     Place::Termination};
 
 inline const char* nameOf(Place place)
 {
@@ -40,15 +43,18 @@ inline const char* nameOf(Place place)
     return kNames[static_cast<std::size_t>(place)];
 }
 
-/// The unit square with a wall that has a gap; one of the user's classes in it fails. States are counted.
+/// The unit square with a wall that has a gap, or with random discs; one of the user's classes in it fails. States are
+/// counted.
 class FaultyProblem
 {
 public:
-    FaultyProblem(Place place, Fault fault, std::uint64_t seed)
+    /// \param scene 0 for the wall; another number for these discs.
+    FaultyProblem(Place place, Fault fault, std::uint64_t seed, std::uint64_t scene)
         : code(fault, seed),
           space(std::make_shared<Space>(*this)),
           si(std::make_shared<ob::SpaceInformation>(space)),
-          place_(place)
+          place_(place),
+          discs_(makeDiscs(scene))
     {
         space->setBounds(0.0, 1.0);
         si->setStateValidityChecker(std::make_shared<Checker>(*this));
@@ -113,6 +119,18 @@ public:
     std::shared_ptr<SpeculativeAStar> planner;
 
 private:
+    struct Disc
+    {
+        double x;
+        double y;
+        double radius;
+
+        [[nodiscard]] bool holds(double atX, double atY) const
+        {
+            return std::hypot(atX - x, atY - y) < radius;
+        }
+    };
+
     class Space : public ob::RealVectorStateSpace
     {
     public:
@@ -159,7 +177,7 @@ private:
         bool isValid(const ob::State* state) const override
         {
             const double* at = state->as<ob::RealVectorStateSpace::StateType>()->values;
-            const bool valid = std::abs(at[0] - 0.5) > 0.06 || at[1] > 0.8;
+            const bool valid = problem_.isFree(at[0], at[1]);
             return valid != problem_.act(Place::Checker, state);
         }
 
@@ -235,6 +253,28 @@ private:
         return armed_ && place == place_ && code.act(*si, state);
     }
 
+    /// None of them over start or goal.
+    static std::vector<Disc> makeDiscs(std::uint64_t scene)
+    {
+        std::mt19937_64 random(scene);
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        std::vector<Disc> discs;
+        for (int i = 0; i < (scene == 0 ? 0 : 12); ++i)
+        {
+            const Disc disc{unit(random), unit(random), 0.05 + 0.15 * unit(random)};
+            if (!disc.holds(0.1, 0.1) && !disc.holds(0.9, 0.2))
+                discs.push_back(disc);
+        }
+        return discs;
+    }
+
+    [[nodiscard]] bool isFree(double x, double y) const
+    {
+        if (discs_.empty())
+            return std::abs(x - 0.5) > 0.06 || y > 0.8;
+        return std::ranges::none_of(discs_, [x, y](const Disc& disc) { return disc.holds(x, y); });
+    }
+
     [[nodiscard]] ob::ScopedState<> at(double x, double y) const
     {
         ob::ScopedState<> state(space);
@@ -245,6 +285,7 @@ private:
 
     static inline std::atomic<std::int64_t> living_{0};
     Place place_;
+    std::vector<Disc> discs_;
     std::atomic<bool> armed_{false};
 };
 }  // namespace specplan::test
