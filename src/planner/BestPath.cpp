@@ -6,9 +6,21 @@
 
 #include <ompl/base/OptimizationObjective.h>
 
+#include "specplan/planner/StateHandle.h"
+
 namespace specplan::planner
 {
 namespace ob = ompl::base;
+
+namespace
+{
+/// The goal gets a copy of the state, should it write into it.
+bool endsIn(const ompl::geometric::PathGeometric& path, const ob::Goal& goal)
+{
+    const ob::State* last = path.getState(static_cast<unsigned>(path.getStateCount() - 1));
+    return goal.isSatisfied(StateHandle(*path.getSpaceInformation(), last).get());
+}
+}  // namespace
 
 void BestPath::reset()
 {
@@ -18,14 +30,14 @@ void BestPath::reset()
 
 bool BestPath::leadsTo(const ob::Goal& goal) const
 {
-    return !satisfied_ || goal.isSatisfied(path_->getStates().back());
+    return !satisfied_ || endsIn(*path_, goal);
 }
 
 void BestPath::take(Path path, ob::Cost cost, const ob::Planner& planner)
 {
+    satisfied_ = endsIn(*path, *planner.getProblemDefinition()->getGoal());
     path_ = std::move(path);
     cost_ = cost;
-    satisfied_ = planner.getProblemDefinition()->getGoal()->isSatisfied(path_->getStates().back());
     if (const auto& callback = planner.getProblemDefinition()->getIntermediateSolutionCallback())
     {
         const std::vector<ob::State*>& states = path_->getStates();

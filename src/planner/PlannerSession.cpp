@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 #include <tuple>
+#include <utility>
 
 #include <ompl/base/goals/GoalRegion.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
@@ -227,14 +228,16 @@ std::optional<ob::PlannerStatus> PlannerSession::refuse(ob::PlannerStatus::Statu
 std::optional<ob::PlannerStatus> PlannerSession::openQuery(const ob::ProblemDefinitionPtr& pdef,
                                                            const ob::PlannerTerminationCondition& ptc, bool waits)
 {
+    const bool wasTorn = std::exchange(isTorn_, true);
     const Origins now(*si, *pdef);
-    if (query && (sourcesChanged || !origins.same(now) || asTuple(querySettings) != asTuple(settings)))
+    if (wasTorn || (query && (sourcesChanged || !origins.same(now) || asTuple(querySettings) != asTuple(settings))))
         reset();
-    else if (!inputs_.continues(pdef) || (best_ && !best_.leadsTo(*pdef->getGoal())))
+    else if (searchFailed_ || !inputs_.continues(pdef) || (best_ && !best_.leadsTo(*pdef->getGoal())))
         resetQuery();
     origins = now;
     querySettings = settings;
     sourcesChanged = false;
+    searchFailed_ = false;
     ensureExecutor();
     if (!query || !inputs_.continues(pdef))  // without a query an earlier call took starts and failed
     {
@@ -242,7 +245,15 @@ std::optional<ob::PlannerStatus> PlannerSession::openQuery(const ob::ProblemDefi
         sampleLimit_ = kSampledGoals;
     }
 
-    takeStarts(*pdef, ptc);
+    const auto refused = openInputs(*pdef, ptc, waits);
+    isTorn_ = false;
+    return refused;
+}
+
+std::optional<ob::PlannerStatus> PlannerSession::openInputs(const ob::ProblemDefinition& pdef,
+                                                            const ob::PlannerTerminationCondition& ptc, bool waits)
+{
+    takeStarts(pdef, ptc);
     if (inputs_.hasStart() && (!query || query->starts().empty()))
         return refuse(ob::PlannerStatus::TIMEOUT, "timeout");
     if (!query || query->starts().empty())
@@ -250,7 +261,7 @@ std::optional<ob::PlannerStatus> PlannerSession::openQuery(const ob::ProblemDefi
         OMPL_ERROR("SpeculativeAStar: there is no valid start state");
         return refuse(ob::PlannerStatus::INVALID_START, "invalid start");
     }
-    const ob::GoalPtr& goal = pdef->getGoal();
+    const ob::GoalPtr& goal = pdef.getGoal();
     if (inputsChanged_)
         query->setGoal(goal, isRegion(*goal));
     const bool added = waits && query->goals().empty() ? waitForGoals(*goal, ptc) : takeGoals(*goal, ptc);
@@ -263,7 +274,7 @@ std::optional<ob::PlannerStatus> PlannerSession::openQuery(const ob::ProblemDefi
         return refuse(ob::PlannerStatus::INVALID_GOAL, "invalid goal");
     }
     if (inputsChanged_)
-        beginFirstSearch(*pdef);
+        beginFirstSearch(pdef);
     inputsChanged_ = false;
     return std::nullopt;
 }
@@ -294,6 +305,7 @@ void PlannerSession::beginFirstSearch(const ob::ProblemDefinition& pdef)
 /// \return false if the lattice cannot become any finer.
 bool PlannerSession::beginNextSearch(Schedule::End end)
 {
+    isTorn_ = true;
     const Past past{expansions(), orderHash()};
     const bool wasCoarse = schedule_.isCoarse();
     const Schedule::Search& next = schedule_.next(end);
@@ -302,12 +314,16 @@ bool PlannerSession::beginNextSearch(Schedule::End end)
     else if (next.change == Schedule::Change::Refine)
     {
         if (!query->refine())
+        {
+            isTorn_ = false;
             return false;
+        }
         refinements_ += wasCoarse ? 0 : 1;
     }
     past_ = past;
     patienceEnds_ = next.patience == Schedule::kEndless ? Schedule::kEndless : verdictsUsed() + next.patience;
     query->beginSearch(next.weight);
+    isTorn_ = false;
     return true;
 }
 
@@ -355,20 +371,28 @@ SearchStatus PlannerSession::search(const ob::Goal& goal, const ob::PlannerTermi
     for (;;)
     {
         bool goalCameUp = false;
+        searchFailed_ = true;
         const SearchStatus end = query->search().run(
             [&]
             {
                 publishCounts();
                 goalCameUp = goalsCameUp(goal);
-                return goalCameUp || isOutOfPatience() || ptc();
+                searchFailed_ = false;  // between two expansions nothing is half done
+                const bool stops = goalCameUp || isOutOfPatience() || ptc();
+                searchFailed_ = true;
+                return stops;
             });
+        searchFailed_ = false;
         const bool exhausted = end == SearchStatus::Infeasible;
         if (!exhausted && !(end == SearchStatus::Stopped && goalCameUp))
             return end;
         query->broker().settle();  // taking goals checks them in this thread
-        if (exhausted ? waitForGoals(goal, ptc) : takeGoals(goal, ptc))
+        isTorn_ = true;
+        const bool added = exhausted ? waitForGoals(goal, ptc) : takeGoals(goal, ptc);
+        if (added)
             query->goalsChanged();
-        else if (exhausted)
+        isTorn_ = false;
+        if (!added && exhausted)
             return ptc() && (inputs_.hasGoal() || inputs_.mayGetGoals()) ? SearchStatus::Stopped : end;
     }
 }

@@ -153,7 +153,7 @@ bool QueryInputs::isUsable(const ob::State* state, const char* kind, std::size_t
     else
     {
         ++checksRun_;
-        if (si_.isValid(state))
+        if (si_.isValid(StateHandle(si_, state).get()))  // a copy, should the checker write into it
             return true;
         reason = "it is not valid";
     }

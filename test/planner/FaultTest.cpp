@@ -87,6 +87,8 @@ TEST(Faults, AfterACrashTheNextSolveIsRightWhicheverCallFailed)
                 problem.makePlanner(1, evaluation);
                 const ob::PlannerStatus first = problem.solve();
                 ASSERT_EQ(first == ob::PlannerStatus::CRASH, problem.code.injected() > 0) << first.asString();
+                if (first != ob::PlannerStatus::CRASH)
+                    break;  // there are not so many calls
                 ASSERT_EQ(problem.solve(), ob::PlannerStatus::EXACT_SOLUTION);
                 EXPECT_EQ(problem.planner->getReport().cost, clean(place, evaluation).cost);
                 EXPECT_TRUE(problem.path().check());

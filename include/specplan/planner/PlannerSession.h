@@ -120,6 +120,8 @@ private:
     [[nodiscard]] bool takeGoals(const ompl::base::Goal& goal, const ompl::base::PlannerTerminationCondition& ptc);
     [[nodiscard]] bool waitForGoals(const ompl::base::Goal& goal, const ompl::base::PlannerTerminationCondition& ptc);
     [[nodiscard]] bool goalsCameUp(const ompl::base::Goal& goal) const;
+    [[nodiscard]] std::optional<ompl::base::PlannerStatus> openInputs(
+        const ompl::base::ProblemDefinition& pdef, const ompl::base::PlannerTerminationCondition& ptc, bool waits);
     [[nodiscard]] std::optional<ompl::base::PlannerStatus> refuse(ompl::base::PlannerStatus::StatusType status,
                                                                   const char* name);
     void publishCounts();
@@ -145,7 +147,9 @@ private:
     double bound_ = std::numeric_limits<double>::quiet_NaN();
     unsigned refinements_ = 0;
     std::uint64_t patienceEnds_ = Schedule::kEndless;  ///< verdicts used when the search is given up
-    bool finished_ = false;                            ///< nothing is left to be improved
+    bool searchFailed_ = false;  ///< an exception came in the middle of an expansion: search anew, verdicts stay
+    bool isTorn_ = false;        ///< an exception came while starts, goals or the lattice were changing: begin anew
+    bool finished_ = false;      ///< nothing is left to be improved
     BestPath best_;
     std::optional<PathProof> proof_;  ///< of the path just found, if it needs one
     Past past_;
