@@ -7,6 +7,7 @@
 
 #include <ompl/util/Exception.h>
 
+#include "RoundingSlack.h"
 #include "specplan/lattice/GridHeuristic.h"
 #include "specplan/lattice/GridNeighbourhood.h"
 
@@ -17,8 +18,6 @@ using lattice::Coordinate;
 
 namespace
 {
-/// A node this much of a step outside the bounds counts as on them; its state is moved onto them.
-constexpr double kRoundingSlack = 1e-9;
 /// A motion this close to one segment is left to the check, which counts the segments from the real states.
 constexpr double kSegmentSlack = 1.0 - 1e-9;
 constexpr double kMaxUnits = 1 << 30;

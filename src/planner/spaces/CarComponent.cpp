@@ -23,7 +23,7 @@ namespace
 {
 constexpr double kHeadingStep = 2.0 * std::numbers::pi / CarComponent::kHeadings;
 /// A state off the lattice is joined to this many nodes.
-constexpr std::size_t kMaxCorners = 64;
+constexpr std::size_t kMaxCarCorners = 64;
 /// Estimates are finite, also where no way leads to the goal.
 constexpr double kFar = 1e12;
 /// Curves longer than this many times the straight distance make a loop.
@@ -158,8 +158,8 @@ std::vector<Component::Coordinates> CarComponent::corners(const ob::State* state
             }
         }
     std::ranges::sort(found);
-    if (found.size() > kMaxCorners)
-        found.resize(kMaxCorners);
+    if (found.size() > kMaxCarCorners)
+        found.resize(kMaxCarCorners);
     std::vector<Coordinates> corners;
     corners.reserve(found.size());
     for (auto& [length, node] : found)

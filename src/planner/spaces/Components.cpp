@@ -16,6 +16,7 @@
 #include <ompl/util/Exception.h>
 
 #include "DescribedAxes.h"
+#include "RoundingSlack.h"
 #include "specplan/planner/spaces/AxesComponent.h"
 #include "specplan/planner/spaces/CarComponent.h"
 #include "specplan/planner/spaces/CarPrimitives.h"
@@ -36,8 +37,6 @@ constexpr double kRotations = 40.0;
 /// The fewest cells across a narrow place.
 constexpr double kFewestAcross = 4.0;
 constexpr double kUnboundedSteps = 1 << 20;
-/// A spacing that goes so nearly into a quarter turn goes into it.
-constexpr double kRoundingSlack = 1e-9;
 constexpr unsigned kFewestLevels = 3;
 constexpr unsigned kMostLevels = 8;
 

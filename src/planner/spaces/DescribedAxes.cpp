@@ -8,15 +8,14 @@
 
 #include <ompl/util/Exception.h>
 
+#include "RoundingSlack.h"
+
 namespace specplan::planner
 {
 namespace ob = ompl::base;
 
 namespace
 {
-/// A start this share of an axis outside its bounds counts as on them.
-constexpr double kRoundingSlack = 1e-9;
-
 std::string naming(const LatticeAxes& described, const LatticeAxis& axis)
 {
     std::string name = "axis '" + axis.name + "'";

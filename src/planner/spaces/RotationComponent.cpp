@@ -8,6 +8,8 @@
 
 #include <ompl/base/spaces/SO3StateSpace.h>
 
+#include "RoundingSlack.h"
+
 namespace specplan::planner
 {
 namespace ob = ompl::base;
@@ -16,9 +18,6 @@ using lattice::Quaternion;
 
 namespace
 {
-/// A rotation this close to a grid line, in lattice units, lies on it.
-constexpr double kAngleSlack = 1e-9;
-
 Quaternion quaternionOf(const ob::State* state)
 {
     const auto* q = state->as<ob::SO3StateSpace::StateType>();
@@ -101,7 +100,7 @@ std::vector<Component::Coordinates> RotationComponent::corners(const ob::State* 
         const double rounded = std::round(steps);
         const double rest = steps - rounded;
         nearest[i] = static_cast<Coordinate>(rounded) * stride_;
-        other[i] = nearest[i] + (std::abs(rest) < kAngleSlack ? 0 : (rest > 0.0 ? stride_ : -stride_));
+        other[i] = nearest[i] + (std::abs(rest) < kRoundingSlack ? 0 : (rest > 0.0 ? stride_ : -stride_));
         other[i] = std::clamp(other[i], -grid_.size(), grid_.size());
     }
     std::vector<Coordinates> corners{nearest};
