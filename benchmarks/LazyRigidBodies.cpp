@@ -78,7 +78,7 @@ Row solve(const problems::RigidBodySetup& problem, Kind kind, double weight)
     validity::InlineExecutor executor(counting);
     const ob::State* start = setup->getProblemDefinition()->getStartState(0);
     const ob::State* goal = setup->getGoal()->as<ob::GoalState>()->getState();
-    LatticeQuery query(*si, setup->getOptimizationObjective(), settings, executor, checker,
+    LatticeQuery query(*si, setup->getOptimizationObjective(), settings, {}, executor, checker,
                        {{si->getStateValidityChecker()}, {si->getMotionValidator()}}, start, false);
     query.addStart(start);
     query.setGoal(setup->getGoal(), false);
