@@ -110,9 +110,11 @@ nlohmann::ordered_json toJson(const Run& run)
     json["threads"] = report.threads;
     json["policy"] = run.settings.speculationPolicy;
     json["weight"] = run.report.weight;
-    json["evaluation"] = run.settings.evaluation;
+    json["evaluation"] = report.evaluation;
     json["order_hash"] = hashText(report.orderHash);
     json["planner"] = run.plannerName;
+    if (!report.advice.empty())
+        json["advice"] = report.advice;
     for (const Improvement& improvement : run.improvements)
         json["improvements"].push_back({{"time_s", improvement.seconds}, {"cost", improvement.cost}});
     return json;

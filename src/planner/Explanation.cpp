@@ -14,11 +14,12 @@ namespace
 struct Branching
 {
     std::size_t steps = 0;
-    std::size_t checked = 0;
+    std::size_t checked = 0;  ///< of these, whose inside is checked
+    std::size_t guarded = 0;  ///< of these, that need other states beside them to be valid
     double shortest = std::numeric_limits<double>::infinity();
     double longest = 0.0;
     unsigned mostStates = 0;  ///< inside one motion
-    double states = 0.0;      ///< inside all motions
+    double states = 0.0;      ///< inside all of these motions
 };
 
 Branching branchingAt(const LatticeQuery& query, lattice::NodeId node, const ob::SpaceInformation& si)
@@ -31,9 +32,11 @@ Branching branchingAt(const LatticeQuery& query, lattice::NodeId node, const ob:
     {
         const StateHandle to = query.stateOf(edge.node);
         const double length = si.distance(from.get(), to.get());
-        const unsigned states = query.embedding().segments(from.get(), to.get()) - 1;
+        const bool checked = successors.motionOf(edge).has_value();
+        const unsigned states = checked ? query.embedding().segments(from.get(), to.get()) - 1 : 0;
         ++branching.steps;
-        branching.checked += edge.inner > 0 ? 1 : 0;
+        branching.checked += checked ? 1 : 0;
+        branching.guarded += successors.guardsOf(edge).empty() ? 0 : 1;
         branching.shortest = std::min(branching.shortest, length);
         branching.longest = std::max(branching.longest, length);
         branching.mostStates = std::max(branching.mostStates, states);
@@ -63,8 +66,12 @@ void explain(const PlannerSession& session, const std::string& refusal, std::ost
     out << "From the first start: " << branching.steps << " motions";
     if (branching.steps > 0)
         out << " of length " << branching.shortest << " to " << branching.longest << ", " << branching.checked
-            << " of them checked inside (" << branching.states / static_cast<double>(branching.steps)
-            << " states on average, " << branching.mostStates << " at most)";
+            << " of them checked inside";
+    if (branching.checked > 0)
+        out << " (" << branching.states / static_cast<double>(branching.checked) << " states on average, "
+            << branching.mostStates << " at most)";
+    if (branching.guarded > 0)
+        out << ", " << branching.guarded << " past corners that have to be valid";
     out << "\nSearch: " << (query.isLazy() ? "lazy, " : "") << "weight " << session.weight() << ", "
         << (query.addsCosts() ? "costs add up" : "costs are combined by the objective; weights have no meaning") << ", "
         << (query.isConsistent() ? "consistent heuristic" : "states are opened again where they are reached better")

@@ -285,7 +285,7 @@ void LatticeQuery::beginLazySearch()
     auto search = std::make_unique<search::LazySearch>(lattice_, heuristic_, broker_, weight_);
     lazy_ = search.get();
     search_ = std::move(search);
-    if (speculates_)
+    if (speculates_ && settings_.speculationPolicy != "none")
         broker_.setSource(lazy_);
     lazy_->setGlances([this](const lattice::Lattice::Motion& motion) { return isWorthAGlance(motion); });
     for (const NodeId goal : goalNodes_)

@@ -13,6 +13,7 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/Exception.h>
 
+#include "specplan/planner/Advice.h"
 #include "specplan/planner/MakeExecutor.h"
 #include "specplan/planner/OmplCompat.h"
 #include "specplan/util/Hash.h"
@@ -32,6 +33,8 @@ namespace
 /// in all.
 constexpr std::size_t kSampledGoals = 16;
 constexpr std::size_t kMostSampledGoals = 1024;
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// How often a goal that may get states is looked at while nothing else is to be done.
 constexpr std::chrono::milliseconds kGoalPatience{1};
@@ -73,10 +76,11 @@ void PlannerSession::resetQuery()
         query->beginQuery();
     dataStates.clear();
     report = {};
-    bound_ = std::numeric_limits<double>::quiet_NaN();
+    bound_ = kUnknown;
     finished_ = false;
     best_.reset();
     proof_.reset();
+    history_.clear();
     past_ = {};
     clockInSearch_ = 0.0;
     live.expansions = 0;
@@ -299,6 +303,9 @@ void PlannerSession::beginFirstSearch(const ob::ProblemDefinition& pdef)
     proof_.reset();
     past_ = {};
     patienceEnds_ = schedule_.current().patience;
+    history_.clear();
+    history_.begin(query->embedding().level(), schedule_.current().weight, query->embedding().nodes(),
+                   query->broker().statistics().checksUsed);
     query->beginSearch(schedule_.current().weight);
 }
 
@@ -322,6 +329,8 @@ bool PlannerSession::beginNextSearch(Schedule::End end)
     }
     past_ = past;
     patienceEnds_ = next.patience == Schedule::kEndless ? Schedule::kEndless : verdictsUsed() + next.patience;
+    history_.begin(query->embedding().level(), next.weight, query->embedding().nodes(),
+                   query->broker().statistics().checksUsed);
     query->beginSearch(next.weight);
     isTorn_ = false;
     return true;
@@ -427,6 +436,7 @@ ob::PlannerStatus PlannerSession::solve(const ob::PlannerTerminationCondition& p
     while (!finished_)
     {
         const SearchStatus end = proof_ ? SearchStatus::Solved : search(*pdef.getGoal(), ptc);
+        noteEnd(end);
         if (end == SearchStatus::Stopped && !isOutOfPatience())
             break;
         if (end == SearchStatus::Solved)
@@ -452,8 +462,8 @@ ob::PlannerStatus PlannerSession::solve(const ob::PlannerTerminationCondition& p
         else
         {
             report.status = "infeasible";
-            OMPL_WARN("%s: no goal can be reached on this lattice; a finer resolution may find a way",
-                      planner.getName().c_str());
+            OMPL_WARN("%s: no goal can be reached on this lattice", planner.getName().c_str());
+            tellWhatToTry(planner.getName());
             return kInfeasible;
         }
     }
@@ -464,7 +474,30 @@ ob::PlannerStatus PlannerSession::solve(const ob::PlannerTerminationCondition& p
         return ob::PlannerStatus::EXACT_SOLUTION;
     }
     report.status = "timeout";
-    return publishApproximation(planner) ? ob::PlannerStatus::APPROXIMATE_SOLUTION : ob::PlannerStatus::TIMEOUT;
+    const bool approximate = publishApproximation(planner);
+    tellWhatToTry(planner.getName());
+    return approximate ? ob::PlannerStatus::APPROXIMATE_SOLUTION : ob::PlannerStatus::TIMEOUT;
+}
+
+void PlannerSession::noteEnd(SearchStatus end)
+{
+    const char* name = end == SearchStatus::Solved       ? "solved"
+                       : end == SearchStatus::Infeasible ? "no path"
+                       : isOutOfPatience()               ? "given up"
+                                                         : "stopped";
+    history_.note(name, query->search().steps(), query->broker().statistics().checksUsed);
+}
+
+/// Says how far each search has come, and what may help. The report keeps both.
+void PlannerSession::tellWhatToTry(const std::string& name)
+{
+    fillReport();
+    for (const LatticeSearchReport& search : report.searches)
+        OMPL_INFORM("%s: %s", name.c_str(), describe(search).c_str());
+    if (report.status == "timeout" && std::isfinite(report.distanceToGoal))
+        OMPL_INFORM("%s: the nearest state is %g from the goal", name.c_str(), report.distanceToGoal);
+    report.advice = advise(report, settings, query->canBeLazy(), std::max(std::thread::hardware_concurrency(), 1U));
+    OMPL_INFORM("%s: %s", name.c_str(), report.advice.c_str());
 }
 
 std::shared_ptr<og::PathGeometric> PlannerSession::pathTo(NodeId node) const
@@ -478,7 +511,8 @@ std::shared_ptr<og::PathGeometric> PlannerSession::pathTo(NodeId node) const
 void PlannerSession::fillReport()
 {
     const CheckStatistics& counts = query->broker().statistics();
-    report.cost = best_ ? best_.cost().value() : std::numeric_limits<double>::quiet_NaN();
+    report.cost = best_ ? best_.cost().value() : kUnknown;
+    report.evaluation = query->isLazy() ? "lazy" : "eager";
     report.weight = weight();
     report.bound = bound_;
     report.refinements = refinements_;
@@ -500,6 +534,7 @@ void PlannerSession::fillReport()
     report.coverage = counts.coverage();
     report.timeliness = counts.timeliness();
     report.threads = executor->workers();
+    report.searches = history_.searches();
 
     const bool simulated = settings.executor == "virtual";
     report.virtualTime = simulated ? clockInSearch_ : 0.0;
@@ -515,7 +550,7 @@ bool PlannerSession::takeSolution(ob::Planner& planner, const ob::PlannerTermina
 {
     const NodeId goal = query->search().reachedGoal();
     const ob::Cost cost = query->costToCome(goal);
-    bound_ = schedule_.isCoarse() ? std::numeric_limits<double>::quiet_NaN() : weight();
+    bound_ = schedule_.isCoarse() ? kUnknown : weight();
     if (best_ && !query->isBetter(cost, best_.cost()))
         return true;
     const bool needsProof = !query->embedding().writesWholeStates();
@@ -541,9 +576,10 @@ bool PlannerSession::prove(NodeId goal, const ob::PlannerTerminationCondition& p
     return complete;
 }
 
-bool PlannerSession::publishApproximation(ob::Planner& planner) const
+bool PlannerSession::publishApproximation(ob::Planner& planner)
 {
     const LatticeQuery::Nearest nearest = query->nearestToGoal();
+    report.distanceToGoal = nearest.node == lattice::kNoNode ? kUnknown : nearest.distance;
     if (nearest.node == lattice::kNoNode || query->search().parent(nearest.node) == lattice::kNoNode)
         return false;  // nothing is nearer than a start
     const std::shared_ptr<og::PathGeometric> path = pathTo(nearest.node);

@@ -116,6 +116,7 @@ ob::PlannerStatus SpeculativeAStar::solve(const ob::PlannerTerminationCondition&
     ob::PlannerStatus status;
     std::exception_ptr failure;
     session_->report.error.clear();
+    session_->report.advice.clear();
     try
     {
         requireLattice();  // not an exception: OMPL's ParallelPlan would end the program

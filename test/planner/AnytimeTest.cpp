@@ -393,6 +393,18 @@ TEST(Explain, TellsTheLatticeWithoutSearchingIt)
     EXPECT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
 }
 
+TEST(Explain, TellsCornersFromInsides)
+{
+    Scene scene;
+    PlannerSettings settings = settingsFor(1);
+    settings.cornerCutting = false;
+    settings.spacing = {0.005};
+    scene.plan(settings);
+    std::ostringstream out;
+    scene.planner->explain(out);
+    EXPECT_NE(out.str().find(", 0 of them checked inside, 4 past corners"), std::string::npos) << out.str();
+}
+
 TEST(Explain, PlacesOfBodiesAreEquallyFarApartAlongAllAxes)
 {
     const auto explained = [](const std::vector<double>& extents)

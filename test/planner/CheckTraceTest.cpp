@@ -19,6 +19,7 @@ PlannerSettings settings(unsigned threads, const std::string& executor)
     PlannerSettings settings = settingsFor(threads, "runahead", executor);
     settings.resolution = 0.05;
     settings.anytime = false;
+    settings.weight = 1.0;  // a search that is long enough for many workers
     return settings;
 }
 

@@ -9,6 +9,7 @@
 
 #include <ompl/base/DiscreteMotionValidator.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/objectives/StateCostIntegralObjective.h>
 
 #include "Scene.h"
 
@@ -32,6 +33,42 @@ TEST(Path, EndsInStartAndGoalOffTheLatticeAndPassesCheckInAnyDimension)
         EXPECT_TRUE(scene.path().check());
         EXPECT_NEAR(scene.planner->getReport().cost, scene.path().length(), 1e-9);
     }
+}
+
+TEST(Path, ThePolicyNoneChecksNothingAheadInBothEvaluations)
+{
+    for (const std::string evaluation : {"eager", "lazy"})
+    {
+        std::uint64_t order = 0;
+        for (const std::string policy : {"runahead", "none"})
+        {
+            Scene scene;
+            PlannerSettings settings = settingsFor(8, policy, "virtual");
+            settings.evaluation = evaluation;
+            settings.weight = 1.0;
+            scene.plan(settings);
+            ASSERT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+            const SearchReport& report = scene.planner->getReport();
+            EXPECT_EQ(report.evaluation, evaluation);
+            EXPECT_EQ(report.speculativeChecks > 0, policy != "none") << evaluation << ", " << policy;
+            if (policy == "none")
+                EXPECT_EQ(report.orderHash, order) << evaluation;
+            order = report.orderHash;
+        }
+    }
+}
+
+TEST(Path, TheReportTellsTheEvaluationThatWasPossible)
+{
+    Scene scene;
+    PlannerSettings settings = settingsFor(1);
+    settings.evaluation = "lazy";
+    scene.plan(settings);
+    scene.setup.getProblemDefinition()->setOptimizationObjective(
+        std::make_shared<ob::StateCostIntegralObjective>(scene.setup.getSpaceInformation()));
+    ASSERT_EQ(scene.solve(ob::exactSolnPlannerTerminationCondition(scene.setup.getProblemDefinition())),
+              ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_EQ(scene.planner->getReport().evaluation, "eager");
 }
 
 TEST(Path, IsTheSameForEveryThreadCountPolicyAndExecutorWithMotionChecks)

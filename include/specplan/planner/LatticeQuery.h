@@ -65,6 +65,9 @@ public:
     /// Doubles the spacing of places until the next `refine`, see Embedding; `beginSearch` has to follow.
     void coarsen();
 
+    /// Whether lazy evaluation is possible for this objective and these goals.
+    [[nodiscard]] bool canBeLazy() const;
+
     /// Whether the search checks lazily.
     [[nodiscard]] bool isLazy() const noexcept
     {
@@ -189,7 +192,6 @@ private:
     [[nodiscard]] std::unique_ptr<speculation::Policy> makePolicy();
     void beginEagerSearch();
     void beginLazySearch();
-    [[nodiscard]] bool canBeLazy() const;
     [[nodiscard]] bool isWorthAGlance(const lattice::Lattice::Motion& motion) const;
     void takeNewSpacing();
     void dropSearch();

@@ -22,6 +22,7 @@
 #include "specplan/planner/PathProof.h"
 #include "specplan/planner/QueryInputs.h"
 #include "specplan/planner/Schedule.h"
+#include "specplan/planner/SearchHistory.h"
 #include "specplan/planner/SpeculativeAStar.h"
 #include "specplan/planner/TracingChecker.h"
 #include "specplan/validity/BudgetShare.h"
@@ -136,7 +137,9 @@ private:
     [[nodiscard]] std::shared_ptr<ompl::geometric::PathGeometric> pathTo(lattice::NodeId node) const;
     [[nodiscard]] bool takeSolution(ompl::base::Planner& planner, const ompl::base::PlannerTerminationCondition& ptc);
     [[nodiscard]] bool prove(lattice::NodeId goal, const ompl::base::PlannerTerminationCondition& ptc);
-    [[nodiscard]] bool publishApproximation(ompl::base::Planner& planner) const;
+    [[nodiscard]] bool publishApproximation(ompl::base::Planner& planner);
+    void noteEnd(search::SearchStatus end);
+    void tellWhatToTry(const std::string& name);
     [[nodiscard]] std::uint64_t expansions() const;
     [[nodiscard]] std::uint64_t orderHash() const;
 
@@ -144,6 +147,7 @@ private:
     bool inputsChanged_ = false;   ///< starts or goals have come that the search was not begun with
     std::size_t sampleLimit_ = 0;  ///< samples to be taken from a goal region so far
     Schedule schedule_;
+    SearchHistory history_;
     double bound_ = std::numeric_limits<double>::quiet_NaN();
     unsigned refinements_ = 0;
     std::uint64_t patienceEnds_ = Schedule::kEndless;  ///< verdicts used when the search is given up

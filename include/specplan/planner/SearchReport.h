@@ -4,9 +4,21 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace specplan
 {
+/// One search of a query: a lattice and a weight.
+struct LatticeSearchReport
+{
+    double spacing = 1.0;          ///< as a multiple of the lattice's usual spacing: 2 is coarser, 0.5 finer
+    double weight = 1.0;           ///< of the heuristic
+    std::string end;               ///< "solved", "no path", "given up" for another lattice, or "stopped"
+    std::uint64_t expansions = 0;  ///< in this search
+    std::uint64_t checksUsed = 0;  ///< verdicts that this search was the first to need
+    double states = 0.0;           ///< lattice states inside the bounds, about
+};
+
 /// What the last solve() did, and what it cost. Counts and times add up over the calls of solve() that continue one
 /// query.
 struct SearchReport
@@ -14,6 +26,8 @@ struct SearchReport
     /// "not started", "solved", "infeasible", "timeout", "invalid start", "invalid goal", "unrecognized goal", "crash".
     std::string status = "not started";
     std::string error;  ///< what the failing check said, if status is "crash"
+
+    std::string evaluation = "eager";  ///< what was done: `lazy` is not possible for every objective and goal
 
     double cost = 0.0;             ///< of the solution; NaN without one
     double weight = 1.0;           ///< of the heuristic in the last search
@@ -48,5 +62,10 @@ struct SearchReport
     unsigned threads = 1;         ///< how many checks could run at once
     std::uint64_t orderHash = 0;  ///< hash of the sequence of expansions: equal for equal sequences
     std::uint64_t nodes = 0;      ///< lattice nodes touched
+
+    /// The searches of this query in order; the last one may be unfinished.
+    std::vector<LatticeSearchReport> searches;
+    double distanceToGoal = 0.0;  ///< of the nearest state reached, where the end was a time-out; NaN if not known
+    std::string advice;           ///< what to try next, where no path was found; may be several sentences
 };
 }  // namespace specplan

@@ -31,7 +31,7 @@ using lattice::NodeId;
 ///
 /// Every change can be written to a journal and taken back exactly, so that a search may try out verdicts.
 ///
-/// Costs are rounded to multiples of a power of two small enough (2^-32 of a step) that nobody notices, and large
+/// Costs are rounded to multiples of a power of two small enough (2^-36 of a step) that nobody notices, and large
 /// enough that sums of them are exact: equal paths have equal costs, in whatever order they were summed. What follows
 /// from a series of verdicts depends on the problem alone, not on the numbers that nodes happen to have: ties are
 /// broken by coordinates.
