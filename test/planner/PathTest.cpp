@@ -52,7 +52,9 @@ TEST(Path, ThePolicyNoneChecksNothingAheadInBothEvaluations)
             EXPECT_EQ(report.evaluation, evaluation);
             EXPECT_EQ(report.speculativeChecks > 0, policy != "none") << evaluation << ", " << policy;
             if (policy == "none")
+            {
                 EXPECT_EQ(report.orderHash, order) << evaluation;
+            }
             order = report.orderHash;
         }
     }
