@@ -13,7 +13,7 @@
 #include "specplan/problems/InputError.h"
 #include "specplan/problems/MovingAi.h"
 #include "specplan/problems/SeedMap.h"
-#include "specplan/problems/TextFile.h"
+#include "specplan/problems/OutputFile.h"
 
 namespace specplan::benchmarks
 {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "specplan/problems/InputError.h"
-#include "specplan/problems/TextFile.h"
+#include "specplan/problems/OutputFile.h"
 #include "specplan/problems/fcl/MeshFile.h"
 
 namespace specplan::make_meshes

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmark.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,9 +14,13 @@
 #include <ompl/tools/benchmark/Benchmark.h>
 #include <ompl/util/Console.h>
 
+#include "ExitStatus.h"
+#include "Interrupt.h"
 #include "InterruptiblePlanner.h"
+#include "Outputs.h"
 #include "PlannerList.h"
 #include "Problem.h"
+#include "Progress.h"
 #include "Run.h"
 #include "Text.h"
 #include "specplan/problems/InputError.h"
@@ -154,36 +156,6 @@ void addPlanners(KeepingBenchmark& benchmark, const Problem& problem,
     }
 }
 
-/// Shows on a terminal which run is on.
-class RunProgress
-{
-public:
-    RunProgress(std::size_t planners, unsigned runs) : total_(planners * runs)
-    {
-    }
-
-    ~RunProgress()
-    {
-        if (enabled_)
-            std::cerr << "\r\033[K" << std::flush;
-    }
-
-    RunProgress(const RunProgress&) = delete;
-    RunProgress& operator=(const RunProgress&) = delete;
-
-    void begin(const std::string& planner)
-    {
-        ++run_;
-        if (enabled_)
-            std::cerr << "\r\033[Krun " << run_ << " of " << total_ << ": " << planner << std::flush;
-    }
-
-private:
-    std::size_t total_;
-    std::size_t run_ = 0;
-    bool enabled_ = isatty(STDERR_FILENO) == 1;
-};
-
 bool isSolved(const RunProperties& run)
 {
     const auto solved = run.find("solved BOOLEAN");
@@ -210,7 +182,7 @@ std::string numberText(double value, int places)
     return std::isnan(value) ? "-" : fixed(value, places);
 }
 
-void printTable(std::ostream& out, const ompl::tools::Benchmark::CompleteExperiment& experiment)
+void printTable(std::ostream& out, const ompl::tools::Benchmark::CompleteExperiment& experiment, bool whole)
 {
     constexpr int kColumn = 14;
     std::size_t widest = 7;
@@ -218,12 +190,12 @@ void printTable(std::ostream& out, const ompl::tools::Benchmark::CompleteExperim
         widest = std::max(widest, planner.name.size());
     const auto row = [&](const std::string& name, const std::array<std::string, 6>& cells)
     {
-        out << std::left << std::setw(static_cast<int>(widest)) << name << std::right;
+        out << std::left << std::setw(static_cast<int>(widest)) << problems::printable(name) << std::right;
         for (const std::string& cell : cells)
             out << std::setw(kColumn) << cell;
         out << '\n';
     };
-    out << experiment.name << ", " << experiment.maxTime << " s a run; medians\n";
+    out << problems::printable(experiment.name) << ", " << experiment.maxTime << " s a run; medians\n";
     row("planner", {"solved", "time", "length", "state checks", "accuracy", "coverage"});
     for (const auto& planner : experiment.planners)
     {
@@ -235,6 +207,8 @@ void printTable(std::ostream& out, const ompl::tools::Benchmark::CompleteExperim
                            numberText(median(planner.runs, "accuracy REAL"), 3),
                            numberText(median(planner.runs, "coverage REAL"), 3)});
     }
+    if (!whole)
+        out << "interrupted: runs completed before\n";
 }
 
 /// One property as "name TYPE" -> value, in JSON's types.
@@ -265,7 +239,8 @@ nlohmann::ordered_json toJson(const ompl::tools::Benchmark::CompleteExperiment& 
                                 {"memory_limit_mb", experiment.maxMem},
                                 {"runs_per_planner", experiment.runCount},
                                 {"seed", experiment.seed},
-                                {"complete", whole}};
+                                {"complete", whole},
+                                {"interrupted", !whole}};
     nlohmann::ordered_json& rows = json["results"] = nlohmann::ordered_json::array();
     for (const auto& planner : experiment.planners)
         for (std::size_t i = 0; i < planner.runs.size(); ++i)
@@ -305,8 +280,8 @@ int benchmark(const BenchmarkOptions& options, std::ostream& out)
         options.planners.empty() ? wishes.planners : parsePlanners(options.planners);
     if (requests.empty())
         throw InputError(options.file, 0, "expected planners: --planners NAME,... or a section [planner] in the file");
-    if (!options.logFile.empty())
-        problems::requireWritable(options.logFile);
+    const std::vector<Output> outputs{{"--log", options.logFile}};
+    requireOutputs(outputs, problem->inputs(), options.json);
 
     const auto setup = problem->makeSetup(options.check);
     const ob::SpaceInformationPtr& si = setup->getSpaceInformation();
@@ -318,8 +293,10 @@ int benchmark(const BenchmarkOptions& options, std::ostream& out)
     const auto request = makeRequest(options, wishes);
     CostsOfRuns costs;
     {
-        RunProgress progress(requests.size(), request.runCount);
-        benchmark.setPreRunEvent([&progress](const ob::PlannerPtr& planner) { progress.begin(planner->getName()); });
+        const StopOnInterrupt stop;
+        SeriesProgress progress("run", "runs", requests.size() * request.runCount);
+        benchmark.setPreRunEvent([&progress](const ob::PlannerPtr& planner)
+                                 { progress.begin(problems::printable(planner->getName())); });
         benchmark.setPostRunEvent(
             [&costs](const ob::PlannerPtr& planner, RunProperties& run)
             {
@@ -339,13 +316,15 @@ int benchmark(const BenchmarkOptions& options, std::ostream& out)
 
     const auto& experiment = benchmark.getRecordedExperimentData();
     if (!options.logFile.empty() && !experiment.planners.empty())
-        problems::writeFile(options.logFile, [&](std::ostream& file) { benchmark.saveResultsToStream(file); });
+        writeOutput(options.logFile, [&](std::ostream& file) { benchmark.saveResultsToStream(file); });
     if (options.json)
-        out << toJson(experiment, costs, !interrupted()).dump(2) << '\n';
+        out << jsonText(toJson(experiment, costs, !interrupted()));
     else
-        printTable(out, experiment);
+        printTable(streamForTables(outputs, out), experiment, !interrupted());
+    if (interrupted())
+        return kInterrupted;
     const bool solved = std::ranges::all_of(
         experiment.planners, [](const auto& planner) { return std::ranges::any_of(planner.runs, &isSolved); });
-    return solved && !interrupted() ? 0 : 1;
+    return solved ? kSolved : kNotSolved;
 }
 }  // namespace specplan::command

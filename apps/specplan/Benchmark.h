@@ -8,7 +8,7 @@
 namespace specplan::command
 {
 /// `specplan benchmark`: OMPL's Benchmark over several planners. An interrupt ends it; the runs completed are kept, in
-/// the log too. \return 0 if each planner has solved the problem, otherwise 1.
+/// the log too. \return the exit status: solved means that each planner has solved the problem.
 /// \throws InputError before anything is planned or written, if the input is bad.
 [[nodiscard]] int benchmark(const BenchmarkOptions& options, std::ostream& out);
 }  // namespace specplan::command

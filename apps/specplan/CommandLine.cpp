@@ -4,272 +4,212 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
-#include <map>
+#include <new>
+#include <stdexcept>
+#include <string>
 
 #include <ompl/util/Console.h>
 
 #include "Benchmark.h"
+#include "Completion.h"
+#include "Definitions.h"
+#include "ExitStatus.h"
+#include "ManPage.h"
+#include "Outputs.h"
 #include "Plan.h"
-#include "Run.h"
 #include "Speedup.h"
-#include "Text.h"
 #include "specplan/Version.h"
 #include "specplan/problems/InputError.h"
 
 namespace specplan::command
 {
 using problems::concat;
+using problems::inQuotes;
 using problems::InputError;
 
 namespace
 {
-constexpr int kBadInput = 2;
-
-/// Options given as text that need more than a conversion.
-struct RawOptions
+/// What can be typed, and where it goes.
+class CommandLine
 {
-    std::string start;
-    std::string goal;
-    std::string latency;
-    std::string busy;
-    std::string timeLimit;
-    std::string predict;
+public:
+    CommandLine()
+    {
+        app_.set_version_flag("--version", SPECPLAN_VERSION);
+        app_.require_subcommand(0, 1);
+        app_.footer(kExitStatusText);  // subcommands take it over
+        // For the build, which installs what they print.
+        app_.add_flag("--man", man_, "Print the manual page")->group("");
+        app_.add_option("--completion", shell_, "Print completions for bash or zsh")
+            ->check(CLI::IsMember({"bash", "zsh"}))
+            ->group("");
+        plan_ = app_.add_subcommand("plan", "Solve one problem");
+        benchmark_ = app_.add_subcommand("benchmark", "Run OMPL's Benchmark over several planners");
+        speedup_ = app_.add_subcommand("speedup", "Measure every policy with every number of threads");
+        definePlan(*plan_, planOptions_);
+        defineBenchmark(*benchmark_, benchmarkOptions_);
+        defineSpeedup(*speedup_, speedupOptions_);
+    }
+
+    /// \return the exit status. \throws CLI::Success for help and version. \throws InputError, CLI::ParseError.
+    int run(int argc, char** argv)
+    {
+        parse(argc, argv);
+        if (man_)
+            writeManPage(std::cout, app_);
+        else if (!shell_.empty())
+            writeCompletion(std::cout, app_, shell_);
+        else if (plan_->parsed())
+            return runPlan();
+        else if (benchmark_->parsed())
+            return benchmark(benchmarkOptions_, std::cout);
+        else if (speedup_->parsed())
+            return runSpeedup();
+        else
+            throw InputError(concat("expected a subcommand: ", subcommands()));
+        return kSolved;
+    }
+
+    /// Prints help or version. \return the exit status.
+    int print(const CLI::Success& wish) const
+    {
+        return app_.exit(wish);
+    }
+
+private:
+    void parse(int argc, char** argv)
+    {
+        try
+        {
+            app_.parse(argc, argv);
+        }
+        catch (const CLI::Success&)
+        {
+            throw;
+        }
+        catch (const CLI::ParseError&)
+        {
+            refuseUnknown();  // says more
+            throw;
+        }
+        refuseEmptyValues();
+    }
+
+    /// \throws InputError that names the first word that nothing knows, if there is one.
+    void refuseUnknown() const
+    {
+        const std::vector<std::string> unknown = app_.remaining(true);
+        if (unknown.empty())
+            return;
+        const auto option = std::ranges::find_if(unknown, [](const std::string& each) { return each.starts_with('-'); });
+        const std::string word = option != unknown.end() ? *option : unknown.front();
+        const auto chosen = app_.get_subcommands();
+        if (word.starts_with('-'))
+            throw InputError(concat("unknown option ", inQuotes(word.substr(0, word.find('='))),
+                                    chosen.empty() ? "" : " of " + chosen.front()->get_name()));
+        if (chosen.empty())
+            throw InputError(concat("unknown subcommand ", inQuotes(word), "; expected ", subcommands()));
+        throw InputError(concat("PROBLEM: expected one, found ", inQuotes(word), " too"));
+    }
+
+    /// "$OUT" without OUT is empty, and means something else than no option.
+    void refuseEmptyValues() const
+    {
+        for (const CLI::App* app : app_.get_subcommands())
+            for (const CLI::Option* option : app->get_options())
+                if (option->get_items_expected_max() > 0 &&
+                    std::ranges::any_of(option->results(), &std::string::empty))
+                    throw InputError(concat(option->get_name(), ": expected ",
+                                            option->get_type_name().empty() ? "a file" : option->get_type_name(),
+                                            ", found an empty value"));
+    }
+
+    [[nodiscard]] std::string subcommands() const
+    {
+        std::string all;
+        for (const CLI::App* app : app_.get_subcommands([](const CLI::App*) { return true; }))
+            all += (all.empty() ? "" : ", ") + app->get_name();
+        return all;
+    }
+
+    static void requireOneStandardInput(const ProblemOptions& problem)
+    {
+        if (std::ranges::count(problem.files, "-") + (problem.scenario == "-" ? 1 : 0) > 1)
+            throw InputError("standard input: expected once, found - for several files");
+    }
+
+    int runPlan() const
+    {
+        requireOneStandardInput(planOptions_.problem);
+        return plan(planOptions_, std::cout);
+    }
+
+    int runSpeedup() const
+    {
+        const ProblemOptions& problem = speedupOptions_.problem;
+        requireOneStandardInput(problem);
+        if (problem.files.size() > 1 && (problem.start || problem.goal || !problem.scenario.empty()))
+            throw InputError("--start, --goal and --scen: expected a single PROBLEM with these");
+        return speedup(speedupOptions_, std::cout);
+    }
+
+    CLI::App app_{"Lattice planning with expensive validity checks, on many cores at once", "specplan"};
+    bool man_ = false;
+    std::string shell_;
+    CLI::App* plan_;
+    CLI::App* benchmark_;
+    CLI::App* speedup_;
+    PlanOptions planOptions_;
+    BenchmarkOptions benchmarkOptions_;
+    SpeedupOptions speedupOptions_;
 };
 
-void addValidityResolution(CLI::App& app, std::optional<double>& resolution)
+int complain(const std::string& text, ExitStatus status)
 {
-    app.add_option(
-           "--validity-resolution", resolution,
-           "Motions of a .cfg problem are checked this often: share of the space's extent [the file's, or 0.01]")
-        ->check(CLI::Range(1e-6, 1.0));
+    std::cerr << "specplan: " << problems::printable(text) << '\n';
+    return status;
 }
 
-void addProblemOptions(CLI::App& app, ProblemOptions& options, RawOptions& raw)
+int runAndFlush(int argc, char** argv)
 {
-    app.add_option("PROBLEM", options.files, "Moving AI .map, map in the seed's text format, or OMPL.app .cfg")
-        ->required();
-    CLI::Option* start = app.add_option("--start", raw.start, "Start cell x,y")->type_name("X,Y");
-    CLI::Option* goal = app.add_option("--goal", raw.goal, "Goal cell x,y")->type_name("X,Y");
-    app.add_option("--scen", options.scenario, "Moving AI scenario [PROBLEM.scen if there is one]")
-        ->type_name("FILE")
-        ->excludes(start)
-        ->excludes(goal);
-    app.add_option("--index", options.index, "Entry of the scenario, from 0, or 'last'")
-        ->type_name("I")
-        ->capture_default_str();
-    const std::map<std::string, problems::GridCost> costs{{"length", problems::GridCost::Length},
-                                                          {"steps", problems::GridCost::Steps},
-                                                          {"seed", problems::GridCost::Seed}};
-    app.add_option("--cost", options.cost,
-                   "length: octile length; steps: 1 a move; seed: 1 a move, Euclidean heuristic")
-        ->transform(CLI::CheckedTransformer(costs).description("length|steps|seed"))
-        ->default_str("length");
-    app.add_flag("--corner-cutting", options.cornerCutting,
-                 "Allow diagonal moves past a blocked corner (always so in the seed's format)");
-    addValidityResolution(app, options.validityResolution);
-}
-
-void addSearchOptions(CLI::App& app, CommonOptions& options, RawOptions& raw)
-{
-    PlannerSettings& planner = options.planner;
-    app.add_option("--lookahead", planner.lookahead, "Steps that the direction policy looks ahead")
-        ->check(CLI::Range(1U, 1000U))
-        ->capture_default_str();
-    app.add_flag("--barrier", planner.barrier, "Wait for all running checks at every expansion, as in the paper");
-    app.add_option("--weight", planner.weight, "Weight of the heuristic [1 up to four axes, 3 up to seven, 5 above]")
-        ->check(CLI::Range(1.0, 1e9));
-    app.add_option("--evaluation", planner.evaluation,
-                   "eager|lazy: check what A* meets, or only what lies on a path that may be the best")
-        ->check(CLI::IsMember(evaluations()))
-        ->capture_default_str();
-    CLI::Option* latency =
-        app.add_option("--check-latency", raw.latency, "Each check sleeps this long, such as 5ms")->type_name("TIME");
-    app.add_option("--check-busy", raw.busy, "Each check burns CPU this long, such as 100us")
-        ->type_name("TIME")
-        ->excludes(latency);
-    app.add_option("--executor", planner.executor, "threads|virtual: real threads, or a simulated clock")
-        ->check(CLI::IsMember({"threads", "virtual"}))
-        ->capture_default_str();
-    app.add_option("--time-limit", raw.timeLimit, "Stop each search after this time, such as 10s [a .cfg's own]")
-        ->type_name("TIME");
-    app.add_flag("--json", options.json, "Print one JSON object and nothing else");
-}
-
-void addBenchmarkOptions(CLI::App& app, BenchmarkOptions& options, RawOptions& raw)
-{
-    app.add_option("PROBLEM", options.file, "OMPL.app .cfg, or a map with a scenario beside it")->required();
-    addValidityResolution(app, options.validityResolution);
-    app.add_option("--planners", options.planners,
-                   "Planners, separated by commas: OMPL's geometric ones, and SpeculativeAStar in any number of "
-                   "configurations such as 'SpeculativeAStar:num_threads=1;weight=2' [those of the file]")
-        ->type_name("NAME[:K=V;...],...");
-    app.add_option("--runs", options.runs, "Runs of each planner [the file's, or 10]")->check(CLI::Range(1U, 1000000U));
-    app.add_option("--time-limit", raw.timeLimit, "Of each run, such as 10s [the file's, or 10s]")->type_name("TIME");
-    app.add_option("--memory-limit", options.memoryLimit, "Of each run, MB [the file's, or 4096]")
-        ->check(CLI::Range(1.0, 1e9));
-    CLI::Option* latency =
-        app.add_option("--check-latency", raw.latency, "Each check sleeps this long, such as 5ms")->type_name("TIME");
-    app.add_option("--check-busy", raw.busy, "Each check burns CPU this long, such as 100us")
-        ->type_name("TIME")
-        ->excludes(latency);
-    app.add_flag("--simplify", options.simplify, "Simplify each path too, with OMPL's defaults");
-    app.add_option("--log", options.logFile, "Write OMPL's benchmark log")->type_name("FILE");
-    app.add_flag("--json", options.json, "Print one JSON object and nothing else");
-}
-
-problems::ArtificialCheck artificialCheck(const RawOptions& raw)
-{
-    if (!raw.busy.empty())
-        return {parseDuration("--check-busy", raw.busy), true};
-    return {raw.latency.empty() ? std::chrono::nanoseconds(0) : parseDuration("--check-latency", raw.latency), false};
-}
-
-void finishBenchmark(BenchmarkOptions& options, const RawOptions& raw)
-{
-    options.check = artificialCheck(raw);
-    if (raw.timeLimit.empty())
-        return;
-    options.timeLimit = parseDuration("--time-limit", raw.timeLimit);
-    if (options.timeLimit->count() == 0)
-        throw InputError("--time-limit: expected more than 0s");
-}
-
-/// Reads what was given as text. \param single whether one problem is all there may be. \throws InputError naming the
-/// option.
-void finish(CommonOptions& options, const RawOptions& raw, bool single)
-{
-    if (!raw.start.empty())
-        options.problem.start = parseCell("--start", raw.start);
-    if (!raw.goal.empty())
-        options.problem.goal = parseCell("--goal", raw.goal);
-    options.check = artificialCheck(raw);
-    if (!raw.timeLimit.empty())
-        options.timeLimit = parseDuration("--time-limit", raw.timeLimit);
-    if (single && options.problem.files.size() > 1)
-        throw InputError(concat("PROBLEM: expected one, found ", options.problem.files.size()));
-    if (options.problem.files.size() > 1 &&
-        (options.problem.start || options.problem.goal || !options.problem.scenario.empty()))
-        throw InputError("--start, --goal and --scen: expected a single PROBLEM with these");
-}
-
-std::string oneLine(std::string text)
-{
-    std::ranges::replace(text, '\n', ' ');
-    return text;
+    CommandLine commandLine;
+    int status = kSolved;
+    try
+    {
+        status = commandLine.run(argc, argv);
+    }
+    catch (const CLI::Success& wish)
+    {
+        status = commandLine.print(wish);
+    }
+    requireWritten(std::cout);
+    return status;
 }
 }  // namespace
 
 int run(int argc, char** argv)
 {
-    CLI::App app("Lattice planning with expensive validity checks, on many cores at once");
-    app.set_version_flag("--version", SPECPLAN_VERSION);
-    app.require_subcommand(1);
-    RawOptions raw;
-
-    PlanOptions planOptions;
-    CLI::App* planApp = app.add_subcommand("plan", "Solve one problem");
-    addProblemOptions(*planApp, planOptions.problem, raw);
-    CLI::Option* threads = planApp
-                               ->add_option("--threads", planOptions.planner.numThreads,
-                                            "Checks at once; 0: number of cores, 1: sequential A*")
-                               ->check(CLI::Range(0U, 4096U))
-                               ->capture_default_str();
-    planApp->add_option("--policy", planOptions.planner.speculationPolicy, "What to check ahead")
-        ->check(CLI::IsMember(speculationPolicies()))
-        ->capture_default_str();
-    addSearchOptions(*planApp, planOptions, raw);
-    planApp->add_flag("--anytime", planOptions.anytime,
-                      "Go on after the first path until the time limit: smaller weights, then finer lattices");
-    planApp
-        ->add_flag("--explain", planOptions.explain,
-                   "Search nothing; tell the lattice that would be searched: axes, steps, size, checks, goals")
-        ->excludes("--json");
-    planApp
-        ->add_option("--planner", planOptions.planWith,
-                     "Plan with another planner of OMPL, such as RRTConnect:range=5, for comparison; 10 s at most")
-        ->type_name("NAME[:K=V;...]");
-    CLI::Option* predict =
-        planApp
-            ->add_option("--predict", raw.predict,
-                         "Search with one thread, and tell from the durations of its checks how long it takes with "
-                         "so many, such as 1,2,4 or 1..256")
-            ->type_name("N,...|N..M")
-            ->excludes(threads)
-            ->excludes("--executor")
-            ->excludes("--planner")
-            ->excludes("--anytime")
-            ->excludes("--explain");
-    planApp->add_option("--csv", planOptions.csvFile, "Write the predictions")->type_name("FILE")->needs(predict);
-    planApp->add_option("--plot", planOptions.plotFile, "Plot the predicted speed-up, as SVG")
-        ->type_name("FILE")
-        ->needs(predict);
-    planApp->add_option("--svg", planOptions.svgFile, "Draw the search")->type_name("FILE");
-    planApp
-        ->add_option("--html", planOptions.htmlFile,
-                     "Write a page with a 3-D view of a .cfg problem: world, robot along the path, states of the "
-                     "search; any browser shows it, no network needed")
-        ->type_name("FILE");
-    planApp
-        ->add_option(
-            "--trace", planOptions.traceFile,
-            "Write the search as JSON: map, order of expansions, path; or, where FILE ends in .csv, its checks: what "
-            "each one found and how long it took")
-        ->type_name("FILE");
-    planApp->add_option("--path", planOptions.pathFile, "Write the path, one state a line")->type_name("FILE");
-
-    BenchmarkOptions benchmarkOptions;
-    CLI::App* benchmarkApp = app.add_subcommand("benchmark", "Run OMPL's Benchmark over several planners");
-    addBenchmarkOptions(*benchmarkApp, benchmarkOptions, raw);
-
-    SpeedupOptions speedupOptions;
-    CLI::App* speedupApp = app.add_subcommand("speedup", "Measure every policy with every number of threads");
-    addProblemOptions(*speedupApp, speedupOptions.problem, raw);
-    speedupApp->add_option("--threads", speedupOptions.threads, "Numbers of threads, separated by commas")
-        ->delimiter(',')
-        ->check(CLI::Range(1U, 4096U))
-        ->capture_default_str();
-    speedupApp->add_option("--policies", speedupOptions.policies, "Policies, separated by commas")
-        ->delimiter(',')
-        ->check(CLI::IsMember(speculationPolicies()))
-        ->capture_default_str();
-    addSearchOptions(*speedupApp, speedupOptions, raw);
-    speedupApp->add_option("--csv", speedupOptions.csvFile, "Write all figures")->type_name("FILE");
-    speedupApp->add_option("--plot", speedupOptions.plotFile, "Plot speed-up against threads, as SVG")
-        ->type_name("FILE");
-
+    keepStandardDescriptors();
+    ompl::msg::setLogLevel(ompl::msg::LOG_WARN);  // standard output is for results
     try
     {
-        app.parse(argc, argv);
-        ompl::msg::setLogLevel(ompl::msg::LOG_WARN);  // standard output is for results
-        stopOnInterrupt();
-        if (planApp->parsed())
-        {
-            finish(planOptions, raw, true);
-            if (predict->count() > 0)
-                planOptions.predict = parseWorkers("--predict", raw.predict);
-            return plan(planOptions, std::cout);
-        }
-        if (benchmarkApp->parsed())
-        {
-            finishBenchmark(benchmarkOptions, raw);
-            return benchmark(benchmarkOptions, std::cout);
-        }
-        finish(speedupOptions, raw, false);
-        return speedup(speedupOptions, std::cout);
-    }
-    catch (const CLI::Success& wish)  // help or version
-    {
-        return app.exit(wish);
+        return runAndFlush(argc, argv);
     }
     catch (const CLI::ParseError& error)
     {
-        std::cerr << "specplan: " << oneLine(error.what()) << " (see specplan --help)\n";
-        return kBadInput;
+        return complain(concat(error.what(), " (see specplan --help)"), kBadInput);
+    }
+    catch (const std::bad_alloc&)
+    {
+        return complain("out of memory", kOwnFault);
+    }
+    catch (const std::logic_error& error)
+    {
+        return complain(error.what(), kOwnFault);
     }
     catch (const std::exception& error)
     {
-        std::cerr << "specplan: " << oneLine(error.what()) << '\n';
-        return kBadInput;
+        return complain(error.what(), kBadInput);
     }
 }
 }  // namespace specplan::command

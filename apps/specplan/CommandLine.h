@@ -3,6 +3,6 @@
 
 namespace specplan::command
 {
-/// Runs the command. \return the exit status: 0 solved, 1 not solved, 2 bad usage or input.
+/// Runs the command. \return the exit status (ExitStatus.h).
 [[nodiscard]] int run(int argc, char** argv);
 }  // namespace specplan::command

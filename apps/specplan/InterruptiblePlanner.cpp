@@ -8,7 +8,7 @@
 #include <ompl/config.h>
 #include <ompl/util/Exception.h>
 
-#include "Run.h"
+#include "Interrupt.h"
 
 namespace specplan::command
 {

@@ -5,8 +5,8 @@
 
 namespace specplan::command
 {
-std::unique_ptr<Problem> readRigidBodyProblem(const std::string& file, const ProblemOptions&)
+std::unique_ptr<Problem> readRigidBodyProblem(Input input, const ProblemOptions&)
 {
-    throw problems::InputError(file, 0, "rigid-body problems need FCL and Assimp, and this specplan was built without");
+    throw problems::InputError(input.name, 0, "rigid-body problems need FCL and Assimp, and this specplan was built without");
 }
 }  // namespace specplan::command

@@ -38,6 +38,7 @@ struct CommonOptions
 struct PlanOptions : CommonOptions
 {
     bool explain = false;  ///< tell the lattice instead of searching it
+    bool verify = false;   ///< run the sequential search beside
     std::string planWith;  ///< another planner instead of ours; empty: none
     std::string svgFile;
     std::string htmlFile;

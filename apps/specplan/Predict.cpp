@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "Interrupt.h"
 #include "specplan/planner/CheckTrace.h"
 
 namespace specplan::command
@@ -35,7 +36,7 @@ public:
         PlannerSettings settings = options_.planner;
         settings.executor = "virtual";
         settings.numThreads = workers;
-        Run run = planOnce(problem_, options_, settings, false, trace_);
+        Run run = planOnce(problem_, options_, settings, {.trace = trace_});
         // Before and after the search there is what cannot be shared out: taking starts and goals, the lattice.
         const SearchReport& report = recorded_.report;
         run.report.virtualTime += report.wallTime - report.searchTime - report.waitTime;

@@ -49,6 +49,9 @@ public:
         return name_;
     }
 
+    /// The files that it was read from.
+    [[nodiscard]] virtual std::vector<std::string> inputs() const = 0;
+
     /// A fresh set-up without a planner. \param check what each check takes besides its own work.
     /// \throws InputError if start or goal is of no use.
     [[nodiscard]] virtual std::shared_ptr<ompl::geometric::SimpleSetup> makeSetup(
@@ -79,8 +82,8 @@ private:
     std::string name_;
 };
 
-/// Reads a Moving AI map, a map in the seed's format or a problem of OMPL.app, by the looks of the file. What such a
-/// file says and nobody heeds is reported on standard error, a line each.
+/// Reads a Moving AI map, a map in the seed's format or a problem of OMPL.app, by the looks of the file; "-" is standard
+/// input. What such a file says and nobody heeds is reported on standard error, a line each.
 /// \throws InputError naming file, line or option.
 [[nodiscard]] std::unique_ptr<Problem> readProblem(const std::string& file, const ProblemOptions& options);
 }  // namespace specplan::command

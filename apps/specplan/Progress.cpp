@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <iostream>
+#include <utility>
 
 #include "Text.h"
 #include "specplan/problems/InputError.h"
@@ -19,7 +20,7 @@ constexpr std::chrono::milliseconds kInterval{200};
 Progress::Progress(const SpeculativeAStar& planner, const std::string& problem, const PlannerSettings& settings)
     : planner_(planner),
       title_(
-          problems::concat(problem, ", ", settings.numThreads == 1 ? "sequential" : settings.speculationPolicy, ", ",
+          problems::concat(problems::printable(problem), ", ", settings.numThreads == 1 ? "sequential" : settings.speculationPolicy, ", ",
                            settings.numThreads == 0 ? "all cores" : problems::concat(settings.numThreads, " threads"))),
       enabled_(isatty(STDERR_FILENO) == 1),
       next_(begin_ + kQuiet)
@@ -48,5 +49,31 @@ void Progress::show()
     std::cerr << std::flush;
     shown_ = true;
     next_ = Clock::now() + kInterval;
+}
+
+SeriesProgress::SeriesProgress(std::string one, const std::string& many, std::size_t count)
+    : one_(std::move(one)), count_(count), enabled_(isatty(STDERR_FILENO) == 1 && count > 1)
+{
+    if (enabled_)
+        std::cerr << "specplan: " << count_ << ' ' << many << "; Ctrl-C keeps what is finished\n";
+}
+
+SeriesProgress::~SeriesProgress()
+{
+    clear();
+}
+
+void SeriesProgress::begin(const std::string& name)
+{
+    ++current_;
+    clear();
+    if (enabled_)
+        std::cerr << one_ << ' ' << current_ << " of " << count_ << (name.empty() ? "" : ": ") << name << std::flush;
+}
+
+void SeriesProgress::clear() const
+{
+    if (enabled_)
+        std::cerr << "\r\033[K" << std::flush;
 }
 }  // namespace specplan::command

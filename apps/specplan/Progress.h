@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 
 #include "specplan/planner/SpeculativeAStar.h"
@@ -34,5 +35,28 @@ private:
     bool shown_ = false;
     Clock::time_point begin_ = Clock::now();
     Clock::time_point next_;
+};
+/// Says on the terminal how many searches or runs there are, and which one is on. Nothing where standard error is no
+/// terminal.
+class SeriesProgress
+{
+public:
+    /// \param one, many what they are called.
+    SeriesProgress(std::string one, const std::string& many, std::size_t count);
+    ~SeriesProgress();
+    SeriesProgress(const SeriesProgress&) = delete;
+    SeriesProgress& operator=(const SeriesProgress&) = delete;
+
+    /// The next one begins. \param name of it; empty for none.
+    void begin(const std::string& name = {});
+
+    /// Leaves the terminal's line to others, until the next one begins.
+    void clear() const;
+
+private:
+    std::string one_;
+    std::size_t count_;
+    std::size_t current_ = 0;
+    bool enabled_;
 };
 }  // namespace specplan::command

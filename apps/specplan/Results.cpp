@@ -7,6 +7,7 @@
 #include <ostream>
 #include <utility>
 
+#include "Outputs.h"
 #include "Text.h"
 #include "specplan/problems/InputError.h"
 
@@ -125,8 +126,8 @@ void printRun(std::ostream& out, const Run& run)
     const SearchReport& report = run.report;
     const auto line = [&out](const std::string& name, const std::string& value)
     { out << "  " << std::left << std::setw(20) << name << value << '\n'; };
-    out << run.problem << '\n';
-    line("status", report.status);
+    out << problems::printable(run.problem) << '\n';
+    line("status", report.status + (run.interrupted && run.solved() ? ", interrupted" : ""));
     if (run.solved())
         line("cost", concat(std::setprecision(9), report.cost, ", ", run.path.size(), " states"));
     if (!isOurs(run))
@@ -156,7 +157,7 @@ void printRun(std::ostream& out, const Run& run)
 
 void Table::printHeading(const Run& run)
 {
-    out_ << run.problem << ": " << run.report.expansions << " expansions, " << run.report.checksUsed
+    out_ << problems::printable(run.problem) << ": " << run.report.expansions << " expansions, " << run.report.checksUsed
          << " checks used, cost " << (run.solved() ? concat(std::setprecision(9), run.report.cost) : "-") << '\n';
     for (const Column& column : kColumns)
         out_ << std::right << std::setw(column.width) << column.name;
@@ -185,7 +186,8 @@ void Table::add(const Run& run)
         fixed(perExpansion(report.speculativeChecks - report.speculativeDropped, report), 2)};
     for (std::size_t i = 0; i < cells.size(); ++i)
         out_ << std::right << std::setw(kColumns[i].width) << cells[i];
-    out_ << std::endl;
+    out_ << '\n';
+    requireWritten(out_);  // a series of searches should not go on in vain
 }
 
 void writeCsv(std::ostream& out, const std::vector<Run>& runs)

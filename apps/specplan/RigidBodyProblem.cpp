@@ -5,6 +5,7 @@
 
 #include <ompl/base/goals/GoalState.h>
 
+#include "MeshReader.h"
 #include "RigidBodyPicture.h"
 #include "RigidBodyView.h"
 #include "Run.h"
@@ -24,8 +25,15 @@ namespace
 class RigidBodyProblem : public Problem
 {
 public:
-    explicit RigidBodyProblem(RigidBodySetup setup) : Problem(setup.problem().file), setup_(std::move(setup))
+    /// \param file that the problem was read from.
+    RigidBodyProblem(std::string file, RigidBodySetup setup)
+        : Problem(setup.problem().file), file_(std::move(file)), setup_(std::move(setup))
     {
+    }
+
+    [[nodiscard]] std::vector<std::string> inputs() const override
+    {
+        return {file_, setup_.problem().robot.path, setup_.problem().world.path};
     }
 
     [[nodiscard]] std::shared_ptr<ompl::geometric::SimpleSetup> makeSetup(
@@ -79,6 +87,7 @@ public:
     }
 
 private:
+    std::string file_;
     RigidBodySetup setup_;
 };
 
@@ -96,15 +105,15 @@ void refuseMapOptions(const std::string& file, const ProblemOptions& options)
 }
 }  // namespace
 
-std::unique_ptr<Problem> readRigidBodyProblem(const std::string& file, const ProblemOptions& options)
+std::unique_ptr<Problem> readRigidBodyProblem(Input input, const ProblemOptions& options)
 {
-    refuseMapOptions(file, options);
-    problems::OmplAppProblem problem = problems::readOmplAppProblem(file);
+    refuseMapOptions(input.name, options);
+    problems::OmplAppProblem problem = problems::parseOmplAppProblem(std::move(input.text), input.name);
     if (options.validityResolution)
         problem.longestValidSegmentFraction = options.validityResolution;
-    RigidBodySetup setup(std::move(problem));
+    RigidBodySetup setup(std::move(problem), &readMeshApart);
     for (const std::string& warning : setup.warnings())
         std::cerr << "specplan: warning: " << warning << '\n';
-    return std::make_unique<RigidBodyProblem>(std::move(setup));
+    return std::make_unique<RigidBodyProblem>(std::move(input.file), std::move(setup));
 }
 }  // namespace specplan::command

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
+#include "Input.h"
 #include "Options.h"
 #include "Problem.h"
 
@@ -11,5 +11,5 @@ namespace specplan::command
 {
 /// Reads a problem of OMPL.app with its meshes. \throws InputError naming file, line or option; also where specplan was
 /// built without FCL.
-[[nodiscard]] std::unique_ptr<Problem> readRigidBodyProblem(const std::string& file, const ProblemOptions& options);
+[[nodiscard]] std::unique_ptr<Problem> readRigidBodyProblem(Input input, const ProblemOptions& options);
 }  // namespace specplan::command

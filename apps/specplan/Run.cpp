@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Run.h"
 
-#include <csignal>
+#include <functional>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 
+#include "Interrupt.h"
 #include "Progress.h"
 #include "specplan/problems/InputError.h"
 #include "specplan/problems/PlannerCatalog.h"
@@ -16,14 +18,6 @@ using Clock = std::chrono::steady_clock;
 
 namespace
 {
-volatile std::sig_atomic_t interruptSignals = 0;
-
-extern "C" void noteInterrupt(int)
-{
-    interruptSignals = 1;
-    std::signal(SIGINT, SIG_DFL);
-}
-
 constexpr std::chrono::seconds kTimeForOthers{10};
 
 PlannerSettings settled(const Problem& problem, const CommonOptions& options, const PlannerSettings& chosen)
@@ -57,6 +51,21 @@ void noteImprovements(Run& run)
         });
 }
 
+/// Notes the states that are expanded. The run must stay where it is.
+void noteExpansions(Run& run, const Watch& watch)
+{
+    run.planner->setExpansionObserver(
+        [&run, states = watch.states, order = watch.order, reals = std::vector<double>()](const ob::State* state) mutable
+        {
+            run.setup->getStateSpace()->copyToReals(reals, state);
+            if (states)
+                run.expanded.push_back(reals);
+            if (order)
+                run.order.push_back(std::hash<std::string_view>()(
+                    {reinterpret_cast<const char*>(reals.data()), reals.size() * sizeof(double)}));
+        });
+}
+
 void notePath(Run& run)
 {
     const ob::StateSpace& space = *run.setup->getStateSpace();
@@ -75,20 +84,17 @@ std::string nameOf(ob::PlannerStatus::StatusType status)
             return name;
     return "timeout";
 }
+
+/// Who asks to stop should not read that the time was up.
+void noteInterrupt(Run& run)
+{
+    run.interrupted = interrupted();
+    if (run.interrupted && run.report.status == "timeout")
+        run.report.status = "interrupted";
+}
 }  // namespace
 
-void stopOnInterrupt()
-{
-    std::signal(SIGINT, noteInterrupt);
-}
-
-bool interrupted()
-{
-    return interruptSignals != 0;
-}
-
-Run planOnce(const Problem& problem, const CommonOptions& options, const PlannerSettings& settings, bool keepOrder,
-             const std::shared_ptr<planner::CheckTrace>& trace)
+Run planOnce(const Problem& problem, const CommonOptions& options, const PlannerSettings& settings, const Watch& watch)
 {
     Run run;
     run.problem = problem.name();
@@ -96,15 +102,13 @@ Run planOnce(const Problem& problem, const CommonOptions& options, const Planner
     if (options.check.duration.count() > 0)
         run.settings.virtualCheckCost = std::chrono::duration<double>(options.check.duration).count();
     // On the virtual clock checks take no real time, unless they have to be measured.
-    const bool simulated = settings.executor == "virtual" && !trace;
+    const bool simulated = settings.executor == "virtual" && !watch.trace;
     run.setup = problem.makeSetup(simulated ? problems::ArtificialCheck{} : options.check);
     run.planner = std::make_shared<SpeculativeAStar>(run.setup->getSpaceInformation(), run.settings);
     run.setup->setPlanner(run.planner);
-    run.planner->setCheckTrace(trace);
-    if (keepOrder)
-        run.planner->setExpansionObserver(
-            [&run](const ob::State* state)
-            { run.setup->getStateSpace()->copyToReals(run.expanded.emplace_back(), state); });
+    run.planner->setCheckTrace(watch.trace);
+    if (watch.states || watch.order)
+        noteExpansions(run, watch);
 
     if (options.anytime)
         noteImprovements(run);
@@ -114,11 +118,14 @@ Run planOnce(const Problem& problem, const CommonOptions& options, const Planner
         [&]
         {
             progress.tick();
-            return interrupted() || Clock::now() >= end;
+            const bool enough = watch.expansions && run.order.size() >= *watch.expansions;
+            run.stopped = enough || interrupted() || Clock::now() >= end;
+            return run.stopped;
         }));
     run.planner->setExpansionObserver({});
     run.setup->getProblemDefinition()->setIntermediateSolutionCallback({});
     run.report = run.planner->getReport();
+    noteInterrupt(run);
     if (run.solved())
         notePath(run);
     return run;
@@ -129,8 +136,7 @@ void compare(Run& run, const Run& baseline)
     run.report.sequentialTime = baseline.seconds();
     run.report.speedup = run.seconds() > 0.0 ? baseline.seconds() / run.seconds() : 1.0;
     run.report.efficiency = run.report.speedup / run.report.threads;
-    const bool whole = run.report.status != "timeout" && baseline.report.status != "timeout";
-    if (whole && run.report.orderHash != baseline.report.orderHash)
+    if (!run.stopped && !baseline.stopped && run.report.orderHash != baseline.report.orderHash)
         throw std::logic_error(problems::concat(run.problem, ": ", run.settings.speculationPolicy, " with ",
                                                 run.report.threads,
                                                 " threads expanded other states than sequential "
@@ -164,6 +170,7 @@ Run planOnceWith(const Problem& problem, const CommonOptions& options, const pro
     run.report.wallTime = std::chrono::duration<double>(Clock::now() - begin).count();
     run.report.cost = std::numeric_limits<double>::quiet_NaN();
     run.report.status = nameOf(status);
+    noteInterrupt(run);
     if (!run.solved())
         return run;
     run.report.cost = run.setup->getSolutionPath().cost(run.setup->getOptimizationObjective()).value();

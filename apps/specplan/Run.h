@@ -3,7 +3,9 @@
 
 #include <functional>
 #include <iosfwd>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <ompl/geometric/SimpleSetup.h>
@@ -33,8 +35,11 @@ struct Run
     std::shared_ptr<SpeculativeAStar> planner;            ///< empty once results are all that is wanted
     std::shared_ptr<ompl::geometric::SimpleSetup> setup;  ///< likewise
     std::vector<std::vector<double>> expanded;            ///< in order, if asked for; as numbers (copyToReals)
+    std::vector<std::uint64_t> order;                     ///< a hash of each of these, if asked for
     std::vector<std::vector<double>> path;                ///< empty if there is none
     std::vector<Improvement> improvements;                ///< of an anytime search, in order
+    bool stopped = false;                                 ///< by a limit or the user
+    bool interrupted = false;                             ///< by the user
 
     /// Seconds from start to end on the clock of the executor.
     [[nodiscard]] double seconds() const
@@ -48,12 +53,20 @@ struct Run
     }
 };
 
+/// What to keep of a search besides its figures, and where else to stop it.
+struct Watch
+{
+    bool states = false;                                ///< fills Run::expanded
+    bool order = false;                                 ///< fills Run::order
+    std::shared_ptr<planner::CheckTrace> trace = {};         ///< as SpeculativeAStar::setCheckTrace says; empty for none
+    std::optional<std::uint64_t> expansions = {};       ///< stops after so many; needs `order`
+};
+
 /// Plans once: until there is a path, on finer lattices too where the problem leaves the lattice to the planner;
 /// further with `anytime`. The search stops early at the time limit (of the options, else of the problem's file), or
-/// when the user interrupts the program. \param keepOrder whether to note the expanded states. \param trace kept, or
-/// replayed on the virtual clock, as SpeculativeAStar::setCheckTrace says; empty for none.
+/// when the user interrupts the program: its status is then "interrupted", unless it had found a path.
 [[nodiscard]] Run planOnce(const Problem& problem, const CommonOptions& options, const PlannerSettings& settings,
-                           bool keepOrder, const std::shared_ptr<planner::CheckTrace>& trace = {});
+                           const Watch& watch = {});
 
 /// Lets a run's figures be compared to a baseline that was measured, instead of the sum of its checks' durations.
 /// \throws std::logic_error if the order of expansions differs.
@@ -66,10 +79,4 @@ void explain(const Problem& problem, const CommonOptions& options, std::ostream&
 /// the time there is. Of the report only status, cost and wall time mean anything.
 [[nodiscard]] Run planOnceWith(const Problem& problem, const CommonOptions& options,
                                const problems::PlannerRequest& request);
-
-/// From now on Ctrl-C stops the search and leaves what has been found; a second one ends the program.
-void stopOnInterrupt();
-
-/// Whether the user has asked to stop.
-[[nodiscard]] bool interrupted();
 }  // namespace specplan::command

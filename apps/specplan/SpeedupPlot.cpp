@@ -5,11 +5,15 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <set>
+#include <ostream>
 #include <sstream>
+#include <system_error>
 
+#include "Outputs.h"
 #include "specplan/problems/InputError.h"
 #include "specplan/problems/TextFile.h"
 
@@ -81,6 +85,36 @@ std::string makeScript(const std::string& file, const std::vector<Run>& runs)
     script << "\nset output\n";
     return script.str();
 }
+
+/// A folder for what gnuplot draws, gone at the end.
+class TemporaryFolder
+{
+public:
+    TemporaryFolder()
+    {
+        std::string name = (std::filesystem::temp_directory_path() / "specplan-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr)
+            throw InputError("--plot: expected a folder for temporary files that can be written");
+        path_ = name;
+    }
+
+    ~TemporaryFolder()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const noexcept
+    {
+        return path_;
+    }
+
+private:
+    std::filesystem::path path_;
+};
 }  // namespace
 
 void requireGnuplot()
@@ -91,18 +125,18 @@ void requireGnuplot()
 
 void plotSpeedup(const std::string& file, const std::vector<Run>& runs)
 {
-    const std::string part = file + ".part";
+    const TemporaryFolder folder;
+    const std::string picture = folder.path() / "plot.svg";
     int status = -1;
     if (std::FILE* gnuplot = popen("gnuplot -", "w"))  // NOLINT(cert-env33-c): a fixed command
     {
-        const std::string script = makeScript(part, runs);
+        const std::string script = makeScript(picture, runs);
         std::fwrite(script.data(), 1, script.size(), gnuplot);
         status = pclose(gnuplot);
     }
-    if (status != 0 || std::rename(part.c_str(), file.c_str()) != 0)
-    {
-        std::remove(part.c_str());
-        throw InputError(file, 0, "the plot cannot be written");
-    }
+    if (status != 0)
+        throw InputError(file, 0, "cannot be written: gnuplot did not draw the plot");
+    const std::string svg = problems::readText(picture);
+    writeOutput(file, [&svg](std::ostream& out) { out << svg; });
 }
 }  // namespace specplan::command

@@ -30,7 +30,7 @@ std::chrono::nanoseconds parseDuration(const std::string& option, const std::str
             value * nanoseconds <= kLongest)
             return std::chrono::nanoseconds(std::llround(value * nanoseconds));
     }
-    throw InputError(concat(option, ": expected a duration such as 5ms (ns, us, ms or s), found '", text, "'"));
+    throw InputError(concat(option, ": expected a duration such as 5ms (ns, us, ms or s), found ", problems::inQuotes(text)));
 }
 
 problems::GridCell parseCell(const std::string& option, const std::string& text)
@@ -38,7 +38,7 @@ problems::GridCell parseCell(const std::string& option, const std::string& text)
     const auto parts = problems::split(text, ",");
     problems::GridCell cell{};
     if (parts.size() != 2 || !problems::parse(parts[0], cell[0]) || !problems::parse(parts[1], cell[1]))
-        throw InputError(concat(option, ": expected a cell x,y, found '", text, "'"));
+        throw InputError(concat(option, ": expected a cell x,y, found ", problems::inQuotes(text)));
     return cell;
 }
 
@@ -56,7 +56,8 @@ std::vector<unsigned> parseWorkers(const std::string& option, const std::string&
                           problems::parse(std::string_view(part).substr(dots == part.npos ? 0 : dots + 2), last);
         if (!read || first < 1 || last < first || last > kMost)
             throw InputError(
-                concat(option, ": expected numbers from 1 to 4096 such as 1,2,4 or 1..256, found '", text, "'"));
+                concat(option, ": expected numbers from 1 to 4096 such as 1,2,4 or 1..256, found ",
+                       problems::inQuotes(text)));
         for (int next = first; next < last; next *= 2)
             workers.insert(static_cast<unsigned>(next));
         workers.insert(static_cast<unsigned>(last));
@@ -78,6 +79,16 @@ std::string durationText(double seconds)
     if (seconds < 1.0)
         return fixed(seconds * 1e3, 1) + " ms";
     return fixed(seconds, 2) + " s";
+}
+
+std::string jsonText(const nlohmann::ordered_json& json)
+{
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+std::string compactJsonText(const nlohmann::ordered_json& json)
+{
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 std::string escaped(const std::string& text)

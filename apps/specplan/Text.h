@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "specplan/problems/GridMap.h"
 
 namespace specplan::command
@@ -26,6 +28,12 @@ namespace specplan::command
 
 /// A number with so many places behind the point.
 [[nodiscard]] std::string fixed(double value, int places);
+
+/// JSON with two blanks a level and an end of line; bytes that are not UTF-8 are replaced, since JSON cannot hold them.
+[[nodiscard]] std::string jsonText(const nlohmann::ordered_json& json);
+
+/// The same on one line.
+[[nodiscard]] std::string compactJsonText(const nlohmann::ordered_json& json);
 
 /// Text as XML wants it.
 [[nodiscard]] std::string escaped(const std::string& text);

@@ -2,6 +2,7 @@
 #include "specplan/problems/ConfigFile.h"
 
 #include <string_view>
+#include <utility>
 
 #include "specplan/problems/TextFile.h"
 
@@ -20,30 +21,30 @@ std::string_view trimmed(std::string_view text)
 }
 }  // namespace
 
-std::vector<ConfigEntry> readConfigFile(const std::string& path)
+std::vector<ConfigEntry> parseConfig(std::string text, const std::string& name)
 {
-    LineReader in(path);
+    LineReader in(std::move(text), name);
     std::vector<ConfigEntry> entries;
     std::string section;
     std::size_t number = 0;
     for (std::string line; in.next(line);)
     {
         ++number;
-        const std::string_view text = trimmed(std::string_view(line).substr(0, line.find('#')));
-        if (text.empty())
+        const std::string_view content = trimmed(std::string_view(line).substr(0, line.find('#')));
+        if (content.empty())
             continue;
-        if (text.front() == '[')
+        if (content.front() == '[')
         {
-            if (text.back() != ']' || text.size() < 3)
-                in.fail("expected a section such as [problem], found '", text, "'");
-            section = trimmed(text.substr(1, text.size() - 2));
+            if (content.back() != ']' || content.size() < 3)
+                in.fail("expected a section such as [problem], found ", inQuotes(content));
+            section = trimmed(content.substr(1, content.size() - 2));
             continue;
         }
-        const std::size_t equals = text.find('=');
-        if (equals == std::string_view::npos || trimmed(text.substr(0, equals)).empty())
-            in.fail("expected 'key = value' or a section, found '", text, "'");
-        entries.push_back({section, std::string(trimmed(text.substr(0, equals))),
-                           std::string(trimmed(text.substr(equals + 1))), number});
+        const std::size_t equals = content.find('=');
+        if (equals == std::string_view::npos || trimmed(content.substr(0, equals)).empty())
+            in.fail("expected 'key = value' or a section, found ", inQuotes(content));
+        entries.push_back({section, std::string(trimmed(content.substr(0, equals))),
+                           std::string(trimmed(content.substr(equals + 1))), number});
     }
     return entries;
 }

@@ -4,7 +4,9 @@
 #include <iomanip>
 #include <ostream>
 #include <string_view>
+#include <utility>
 
+#include "specplan/problems/OutputFile.h"
 #include "specplan/problems/TextFile.h"
 
 namespace specplan::problems
@@ -21,7 +23,7 @@ int readSize(LineReader& in, const std::string& name)
     const auto parts = split(line, " \t");
     int size = 0;
     if (parts.size() != 2 || parts[0] != name || !parse(parts[1], size) || size < 1)
-        in.fail("expected ", expected, ", found '", line, "'");
+        in.fail("expected ", expected, ", found ", inQuotes(line));
     return size;
 }
 
@@ -36,7 +38,7 @@ void readRow(LineReader& in, GridMap& map, int y)
         if (kFree.find(cell) != std::string_view::npos)
             map.setFree(x, y, true);
         else if (kBlocked.find(cell) == std::string_view::npos)
-            in.fail("expected one of . G S @ O T W, found '", cell, "' in column ", x + 1);
+            in.fail("expected one of . G S @ O T W, found ", inQuotes({&cell, 1}), " in column ", x + 1);
     }
 }
 
@@ -49,7 +51,7 @@ ScenarioEntry readEntry(const LineReader& in, const std::string& line)
                       parse(parts[5], entry.start[1]) && parse(parts[6], entry.goal[0]) &&
                       parse(parts[7], entry.goal[1]) && parse(parts[8], entry.optimalLength);
     if (!good)
-        in.fail("expected 'bucket map width height start-x start-y goal-x goal-y length', found '", line, "'");
+        in.fail("expected 'bucket map width height start-x start-y goal-x goal-y length', found ", inQuotes(line));
     entry.map = parts[1];
     return entry;
 }
@@ -57,15 +59,20 @@ ScenarioEntry readEntry(const LineReader& in, const std::string& line)
 
 GridMap readMovingAiMap(const std::string& path)
 {
-    LineReader in(path);
+    return parseMovingAiMap(readText(path), path);
+}
+
+GridMap parseMovingAiMap(std::string text, const std::string& name)
+{
+    LineReader in(std::move(text), name);
     if (const std::string line = in.expect("'type octile'"); split(line, " \t") != split("type octile", " "))
-        in.fail("expected 'type octile', found '", line.substr(0, 40), "'");
+        in.fail("expected 'type octile', found ", inQuotes(line));
     const int height = readSize(in, "height");
     const int width = readSize(in, "width");
     if (static_cast<double>(height) * width > GridMap::kMaxCells)
         in.fail("expected at most 2^28 cells, found ", width, " x ", height);
     if (const std::string line = in.expect("'map'"); line != "map")
-        in.fail("expected 'map', found '", line.substr(0, 40), "'");
+        in.fail("expected 'map', found ", inQuotes(line));
     GridMap map(width, height);
     for (int y = 0; y < height; ++y)
         readRow(in, map, y);
@@ -92,11 +99,16 @@ void writeMovingAiMap(const std::string& path, const GridMap& map)
 
 std::vector<ScenarioEntry> readMovingAiScenario(const std::string& path)
 {
-    LineReader in(path);
+    return parseMovingAiScenario(readText(path), path);
+}
+
+std::vector<ScenarioEntry> parseMovingAiScenario(std::string text, const std::string& name)
+{
+    LineReader in(std::move(text), name);
     const std::string first = in.expect("'version 1'");
     const auto version = split(first, " \t");
     if (version.size() != 2 || version[0] != "version" || (version[1] != "1" && version[1] != "1.0"))
-        in.fail("expected 'version 1', found '", first.substr(0, 40), "'");
+        in.fail("expected 'version 1', found ", inQuotes(first));
     std::vector<ScenarioEntry> entries;
     for (std::string line; in.next(line);)
         if (!split(line, " \t").empty())

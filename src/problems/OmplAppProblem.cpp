@@ -85,7 +85,7 @@ public:
     [[noreturn]] void fail(const ConfigEntry& entry, const std::string& expected) const
     {
         throw InputError(path_, entry.line,
-                         concat(entry.section, '.', entry.key, ": expected ", expected, ", found '", entry.value, "'"));
+                         concat(entry.section, '.', entry.key, ": expected ", expected, ", found ", inQuotes(entry.value)));
     }
 
     [[nodiscard]] const std::map<std::string, ConfigEntry>& left() const noexcept
@@ -142,8 +142,8 @@ private:
     {
         if (const auto control = entries_.take("problem.control"))
             throw InputError(problem_.file, control->line,
-                             concat("problem.control: problems with controls ('", control->value,
-                                    "') are not supported; expected a rigid body that moves freely"));
+                             concat("problem.control: problems with controls (", inQuotes(control->value),
+                                    ") are not supported; expected a rigid body that moves freely"));
     }
 
     NamedFile bodyFile(const std::string& what, const std::string& kind)
@@ -267,7 +267,7 @@ private:
 
     void warn(std::size_t line, const std::string& text)
     {
-        problem_.warnings.push_back(concat(problem_.file, ':', line, ": ", text));
+        problem_.warnings.push_back(printable(concat(problem_.file, ':', line, ": ", text)));
     }
 
     OmplAppProblem& problem_;
@@ -279,7 +279,7 @@ private:
 void readPlanners(OmplAppProblem& problem, const std::vector<ConfigEntry>& entries)
 {
     const auto warn = [&problem](const ConfigEntry& entry, const std::string& text)
-    { problem.warnings.push_back(concat(problem.file, ':', entry.line, ": ", text)); };
+    { problem.warnings.push_back(printable(concat(problem.file, ':', entry.line, ": ", text))); };
     for (const ConfigEntry& entry : entries)
     {
         if (entry.section != "planner")
@@ -289,12 +289,12 @@ void readPlanners(OmplAppProblem& problem, const std::vector<ConfigEntry>& entri
         if (lowered(name) == "problem")
             warn(entry, concat("planner.", entry.key, " is not known and not heeded"));
         else if (!isPlannerName(name))
-            warn(entry, concat("planner '", name, "' is not known and left out"));
+            warn(entry, concat("planner ", inQuotes(name), " is not known and left out"));
         else if (dot == std::string::npos)
         {
             problem.planners.push_back({name, {}, entry.line});
             if (!entry.value.empty())
-                warn(entry, concat("planner.", entry.key, " takes no value: '", entry.value, "' is not heeded"));
+                warn(entry, concat("planner.", entry.key, " takes no value: ", inQuotes(entry.value), " is not heeded"));
         }
         else
         {
@@ -311,10 +311,15 @@ void readPlanners(OmplAppProblem& problem, const std::vector<ConfigEntry>& entri
 
 OmplAppProblem readOmplAppProblem(const std::string& path)
 {
-    const std::vector<ConfigEntry> entries = readConfigFile(path);
+    return parseOmplAppProblem(readText(path), path);
+}
+
+OmplAppProblem parseOmplAppProblem(std::string text, const std::string& name)
+{
+    const std::vector<ConfigEntry> entries = parseConfig(std::move(text), name);
     OmplAppProblem problem;
-    problem.file = path;
-    problem.name = std::filesystem::path(path).stem().string();
+    problem.file = name;
+    problem.name = std::filesystem::path(name).stem().string();
     Reader(problem, entries).read();
     readPlanners(problem, entries);
     return problem;

@@ -163,7 +163,7 @@ private:
 void setParameter(ob::Planner& planner, const std::string& name, const std::string& key, const std::string& value)
 {
     if (!planner.params().hasParam(key))
-        throw InputError(concat("planner ", name, ": expected one of its parameters, found '", key, "'"));
+        throw InputError(concat("planner ", name, ": expected one of its parameters, found ", inQuotes(key)));
     bool accepted = false;
     try
     {
@@ -176,7 +176,7 @@ void setParameter(ob::Planner& planner, const std::string& name, const std::stri
     }
     const std::string& range = planner.params()[key].getRangeSuggestion();
     if (!accepted)
-        throw InputError(concat("planner ", name, ": ", key, " cannot be '", value, "'",
+        throw InputError(concat("planner ", name, ": ", key, " cannot be ", inQuotes(value),
                                 range.empty() ? "" : concat(", expected ", range)));
 }
 }  // namespace
@@ -200,7 +200,7 @@ ob::PlannerPtr makePlanner(const std::string& name, const std::map<std::string, 
 {
     const CatalogEntry* entry = find(name);
     if (entry == nullptr)
-        throw InputError(concat("planner '", name, "' is not known; expected SpeculativeAStar or one of OMPL's, such ",
+        throw InputError(concat("planner ", inQuotes(name), " is not known; expected SpeculativeAStar or one of OMPL's, such ",
                                 "as RRTConnect or BITstar"));
     ob::PlannerPtr planner = entry->make(si);
     for (const auto& [key, value] : parameters)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/problems/SeedMap.h"
 
+#include <utility>
+
 #include "specplan/problems/TextFile.h"
 
 namespace specplan::problems
@@ -10,7 +12,7 @@ namespace
 void readHeading(LineReader& in, const std::string& heading)
 {
     if (const std::string line = in.expect("'", heading, "'"); line != heading)
-        in.fail("expected '", heading, "', found '", line.substr(0, 40), "'");
+        in.fail("expected '", heading, "', found ", inQuotes(line));
 }
 
 GridCell parsePair(const LineReader& in, const std::string& line, const std::string& what)
@@ -18,7 +20,7 @@ GridCell parsePair(const LineReader& in, const std::string& line, const std::str
     const auto parts = split(line, ", ");
     GridCell pair{};
     if (parts.size() != 2 || !parse(parts[0], pair[0]) || !parse(parts[1], pair[1]))
-        in.fail("expected ", what, " as two whole numbers 'a,b', found '", line.substr(0, 40), "'");
+        in.fail("expected ", what, " as two whole numbers 'a,b', found ", inQuotes(line));
     return pair;
 }
 
@@ -26,8 +28,7 @@ GridCell parseCell(const LineReader& in, const std::string& line, const std::str
 {
     const GridCell pair = parsePair(in, line, what);
     if (pair[0] < 1 || pair[0] > size[0] || pair[1] < 1 || pair[1] > size[1])
-        in.fail("expected ", what, " inside the map, 1,1 to ", size[0], ",", size[1], ", found '", line.substr(0, 40),
-                "'");
+        in.fail("expected ", what, " inside the map, 1,1 to ", size[0], ",", size[1], ", found ", inQuotes(line));
     return {pair[0] - 1, pair[1] - 1};
 }
 
@@ -43,7 +44,7 @@ void readCosts(LineReader& in, GridMap& map, double threshold)
         {
             double cost = 0.0;
             if (!parse(costs[static_cast<std::size_t>(y)], cost))
-                in.fail("expected a number, found '", costs[static_cast<std::size_t>(y)].substr(0, 40), "'");
+                in.fail("expected a number, found ", inQuotes(costs[static_cast<std::size_t>(y)]));
             map.setFree(x, y, cost < threshold);
         }
     }
@@ -52,7 +53,12 @@ void readCosts(LineReader& in, GridMap& map, double threshold)
 
 GridProblem readSeedMap(const std::string& path)
 {
-    LineReader in(path);
+    return parseSeedMap(readText(path), path);
+}
+
+GridProblem parseSeedMap(std::string text, const std::string& name)
+{
+    LineReader in(std::move(text), name);
     readHeading(in, "N");
     const GridCell size = parsePair(in, in.expect("the size of the map"), "the size of the map");
     if (size[0] < 1 || size[1] < 1 || static_cast<double>(size[0]) * size[1] > GridMap::kMaxCells)
@@ -60,7 +66,7 @@ GridProblem readSeedMap(const std::string& path)
     readHeading(in, "C");
     double threshold = 0.0;
     if (const std::string line = in.expect("the collision threshold"); !parse(line, threshold))
-        in.fail("expected the collision threshold, a number, found '", line.substr(0, 40), "'");
+        in.fail("expected the collision threshold, a number, found ", inQuotes(line));
     readHeading(in, "R");
     const GridCell start = parseCell(in, in.expect("the robot's cell"), "the robot's cell", size);
     readHeading(in, "T");
@@ -74,10 +80,8 @@ GridProblem readSeedMap(const std::string& path)
     return problem;
 }
 
-bool looksLikeSeedMap(const std::string& path)
+bool looksLikeSeedMap(std::string_view text)
 {
-    LineReader in(path);
-    std::string first;
-    return in.next(first) && first == "N";
+    return text.starts_with("N\n") || text.starts_with("N\r\n") || text == "N";
 }
 }  // namespace specplan::problems

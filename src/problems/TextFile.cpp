@@ -1,37 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/problems/TextFile.h"
 
+#include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
+#include <utility>
 
 #include "specplan/util/ParseNumber.h"
 
 namespace specplan::problems
 {
-namespace
-{
-std::string temporaryName(const std::string& path)
-{
-    return concat(path, ".part");
-}
-}  // namespace
-
-LineReader::LineReader(std::string path) : path_(std::move(path))
+std::string readText(const std::string& path)
 {
     std::error_code error;
-    if (std::filesystem::is_directory(path_, error))
-        throw InputError(path_, 0, "expected a file, found a directory");
-    in_.open(path_, std::ios::binary);
-    if (!in_)
-        throw InputError(path_, 0, "cannot be read: no such file, or no permission");
+    if (std::filesystem::is_directory(path, error))
+        throw InputError(path, 0, "expected a file, found a directory");
+    std::ifstream in(path, std::ios::binary);
+    if (!in)
+        throw InputError(path, 0, "cannot be read: no such file, or no permission");
+    return readText(in, path);
+}
+
+std::string readText(std::istream& in, const std::string& name)
+{
+    constexpr std::size_t kMost = std::size_t{1} << 30U;
+    constexpr std::size_t kPiece = std::size_t{1} << 20U;
+    std::string text;
+    while (in)
+    {
+        const std::size_t size = text.size();
+        if (size > kMost)
+            throw InputError(name, 0, "expected a file of at most 1 GiB");
+        text.resize(size + kPiece);
+        in.read(text.data() + size, kPiece);
+        text.resize(size + static_cast<std::size_t>(in.gcount()));
+    }
+    if (in.bad())
+        throw InputError(name, 0, "cannot be read to its end");
+    return text;
+}
+
+LineReader::LineReader(const std::string& path) : LineReader(readText(path), path)
+{
+}
+
+LineReader::LineReader(std::string text, std::string name) : text_(std::move(text)), name_(std::move(name))
+{
 }
 
 bool LineReader::next(std::string& line)
 {
-    if (!std::getline(in_, line))
+    if (at_ == text_.size())
         return false;
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    line.assign(text_, at_, end - at_);
+    at_ = std::min(end + 1, text_.size());
     ++line_;
     if (!line.empty() && line.back() == '\r')
         line.pop_back();
@@ -70,41 +95,5 @@ bool parse(std::string_view text, int& number)
 bool parse(std::string_view text, double& number)
 {
     return util::parseNumber(text, number);
-}
-
-void writeFile(const std::string& path, const std::function<void(std::ostream&)>& write)
-{
-    const std::string temporary = temporaryName(path);
-    bool written = false;
-    try
-    {
-        if (std::ofstream out(temporary, std::ios::binary); out)
-        {
-            write(out);
-            out.flush();
-            written = static_cast<bool>(out);
-        }
-    }
-    catch (...)
-    {
-        std::remove(temporary.c_str());
-        throw;
-    }
-    if (!written || std::rename(temporary.c_str(), path.c_str()) != 0)
-    {
-        std::remove(temporary.c_str());
-        throw InputError(path, 0, "cannot be written");
-    }
-}
-
-void requireWritable(const std::string& path)
-{
-    std::error_code error;
-    const bool directory = std::filesystem::is_directory(path, error);
-    const std::string temporary = temporaryName(path);
-    const bool writable = !directory && static_cast<bool>(std::ofstream(temporary));
-    std::remove(temporary.c_str());
-    if (!writable)
-        throw InputError(path, 0, directory ? "cannot be written: it is a directory" : "cannot be written");
 }
 }  // namespace specplan::problems

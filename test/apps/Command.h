@@ -25,14 +25,20 @@ struct Outcome
     }
 };
 
+/// Runs a line in a shell, where $SPECPLAN is the command.
+inline Outcome shell(const std::string& line)
+{
+    const TemporaryFolder folder;
+    const std::string whole = "SPECPLAN='" SPECPLAN_COMMAND "'; (" + line + "\n) >'" + folder / "out" + "' 2>'" +
+                              folder / "err" + "'";
+    const int status = std::system(whole.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, folder.read("out"), folder.read("err")};
+}
+
 /// Runs the command with these arguments, as a shell would.
 inline Outcome call(const std::string& arguments)
 {
-    const TemporaryFolder folder;
-    const std::string line =
-        std::string("'" SPECPLAN_COMMAND "' ") + arguments + " >'" + folder / "out" + "' 2>'" + folder / "err" + "'";
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, folder.read("out"), folder.read("err")};
+    return shell("\"$SPECPLAN\" " + arguments);
 }
 
 inline std::string scene(const std::string& file)

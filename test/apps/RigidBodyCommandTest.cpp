@@ -2,15 +2,11 @@
 // The command on rigid-body problems: plan with pictures, and OMPL's Benchmark with its log.
 #include <gtest/gtest.h>
 
-#include <signal.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <regex>
-#include <thread>
 
+#include "CallAndInterrupt.h"
 #include "Command.h"
 #include "Replaced.h"
 #include "fcl/RigidFixture.h"
@@ -229,30 +225,6 @@ TEST_F(RigidBodyCommand, OmplsToolReadsTheLog)
     EXPECT_EQ(room_.folder.read("count"), "(6, 1)\n");
 }
 
-/// Starts the command, interrupts it after a while, and waits for its end. \return the exit status.
-int callAndInterrupt(const std::vector<std::string>& arguments, const std::string& out, std::chrono::seconds after)
-{
-    const pid_t child = fork();
-    if (child == 0)
-    {
-        std::vector<char*> words;
-        std::string command = SPECPLAN_COMMAND;
-        words.push_back(command.data());
-        std::vector<std::string> copies = arguments;
-        for (std::string& word : copies)
-            words.push_back(word.data());
-        words.push_back(nullptr);
-        if (std::freopen(out.c_str(), "w", stdout) != nullptr)
-            execv(SPECPLAN_COMMAND, words.data());
-        _exit(127);
-    }
-    std::this_thread::sleep_for(after);
-    kill(child, SIGINT);
-    int status = -1;
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 TEST_F(RigidBodyCommand, AnInterruptKeepsTheRunsCompleted)
 {
     // The first planner is done within milliseconds, the second would go on for minutes. How long the first takes on
@@ -271,15 +243,36 @@ TEST_F(RigidBodyCommand, AnInterruptKeepsTheRunsCompleted)
     std::size_t kept = 0;
     for (int seconds = 1; kept == 0 && seconds < 60; seconds *= 2)
     {
-        ASSERT_EQ(callAndInterrupt(arguments, room_.folder / "out", std::chrono::seconds(seconds)), 1);
+        ASSERT_EQ(callAndInterrupt(arguments, room_.folder / "out", {std::chrono::seconds(seconds)}), 130);
         const nlohmann::json json = nlohmann::json::parse(room_.folder.read("out"));
         EXPECT_EQ(json["complete"], false);
+        EXPECT_EQ(json["interrupted"], true);
         kept = json["results"].size();
     }
     EXPECT_EQ(kept, 1U);
     const std::string log = room_.folder.read("a.log");
     EXPECT_NE(log.find("\n1 planners\ngeometric_RRTConnect\n"), std::string::npos) << log;
     EXPECT_NE(log.find("\n1 runs\n"), std::string::npos);
+}
+
+TEST_F(RigidBodyCommand, AnInterruptKeepsAPathThatWasFound)
+{
+    // Finer lattices have better paths for a long time.
+    const std::vector<std::string> arguments{"plan",          room_.folder.write("room.cfg", RoomFolder::planar()),
+                                             "--anytime",     "--json",
+                                             "--time-limit",  "600s",
+                                             "--path",        room_.folder / "path"};
+    nlohmann::json json;
+    int status = 1;
+    for (int seconds = 1; status != 0 && seconds < 60; seconds *= 2)
+    {
+        status = callAndInterrupt(arguments, room_.folder / "out", {std::chrono::seconds(seconds)});
+        ASSERT_TRUE(status == 0 || status == 130 || status == -SIGINT) << status;
+        json = nlohmann::json::parse(room_.folder.read("out"), nullptr, false);
+        EXPECT_EQ(status == 0, json.is_object() && json["status"] == "solved");
+    }
+    EXPECT_EQ(json["interrupted"], true);
+    EXPECT_GT(room_.folder.read("path").size(), 100U);
 }
 }  // namespace
 }  // namespace specplan::test

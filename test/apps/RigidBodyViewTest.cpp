@@ -138,7 +138,7 @@ TEST_F(RigidBodyView, IsRefusedInOneLine)
     const std::string office = "plan '" + scene("office.cfg") + "' --html ";
     const std::vector<Bad> bad{{"plan '" + scene("city-64.map") + "' --html " + page(),
                                 "specplan: --html is for rigid bodies (.cfg); --svg draws maps\n"},
-                               {office + "'" + folder_ / "none/a.html" + "'", "a.html: cannot be written\n"},
+                               {office + "'" + folder_ / "none/a.html" + "'", "a.html: cannot be written: No such file or directory\n"},
                                {office + "'" + folder_ / "." + "'", "cannot be written: it is a directory\n"}};
     for (const Bad& each : bad)
     {

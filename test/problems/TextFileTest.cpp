@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <ostream>
-#include <stdexcept>
+#include <string>
 
 #include "TemporaryFolder.h"
 
@@ -15,43 +14,29 @@ namespace
 using test::complaintOf;
 using test::TemporaryFolder;
 
-TEST(WriteFile, WritesAllOrNothing)
+TEST(LineReader, ReadsLinesOfAnyEnd)
 {
-    const TemporaryFolder folder;
-    const std::string file = folder.write("a.txt", "old");
-    EXPECT_THROW(writeFile(file,
-                           [](std::ostream& out)
-                           {
-                               out << "half";
-                               throw std::runtime_error("stop");
-                           }),
-                 std::runtime_error);
-    EXPECT_EQ(folder.read("a.txt"), "old");
-    EXPECT_EQ(folder.files(), 1) << "nothing half-written is left";
-    writeFile(file, [](std::ostream& out) { out << "new"; });
-    EXPECT_EQ(folder.read("a.txt"), "new");
-    EXPECT_EQ(folder.files(), 1);
+    LineReader in("a\r\nb\n\nc", "text");
+    std::string line;
+    for (const char* expected : {"a", "b", "", "c"})
+    {
+        ASSERT_TRUE(in.next(line));
+        EXPECT_EQ(line, expected);
+    }
+    EXPECT_FALSE(in.next(line));
+    EXPECT_EQ(complaintOf<InputError>([&] { (void)in.expect("more"); }),
+              "text:5: expected more, found the end of the file");
 }
 
-TEST(WriteFile, NamesAPlaceThatCannotBeWritten)
+TEST(ReadText, ReadsPipesAndRefusesWhatHasNoEnd)
 {
     const TemporaryFolder folder;
-    const std::string file = folder / "none/a.txt";
-    const auto write = [&] { writeFile(file, [](std::ostream& out) { out << "x"; }); };
-    EXPECT_EQ(complaintOf<InputError>(write), file + ": cannot be written");
-}
-
-TEST(RequireWritable, ChecksWithoutATrace)
-{
-    const TemporaryFolder folder;
-    EXPECT_NO_THROW(requireWritable(folder / "a.txt"));
-    EXPECT_EQ(folder.files(), 0);
-    const std::string there = folder.write("b.txt", "old");
-    EXPECT_NO_THROW(requireWritable(there));
-    EXPECT_EQ(folder.read("b.txt"), "old");
-    EXPECT_THROW(requireWritable(folder / "none/a.txt"), InputError);
-    EXPECT_EQ(complaintOf<InputError>([&] { requireWritable(folder / "."); }),
-              folder / "." + std::string(": cannot be written: it is a directory"));
+    const std::string large(3'000'001, 'x');
+    EXPECT_EQ(readText(folder.write("a", large)), large);
+    EXPECT_EQ(complaintOf<InputError>([] { (void)readText("/dev/zero"); }),
+              "/dev/zero: expected a file of at most 1 GiB");
+    EXPECT_EQ(complaintOf<InputError>([&] { (void)readText(folder / "."); }),
+              folder / "." + std::string(": expected a file, found a directory"));
 }
 
 TEST(Parse, TakesWholeFiniteNumbersOnly)

@@ -16,7 +16,7 @@ struct ConfigEntry
     std::size_t line;  ///< from 1
 };
 
-/// Reads a file of sections "[name]" and lines "key = value"; "#" starts a comment. Entries come in the order of the
-/// file. \throws InputError naming file and line.
-[[nodiscard]] std::vector<ConfigEntry> readConfigFile(const std::string& path);
+/// Reads a text of sections "[name]" and lines "key = value"; "#" starts a comment. Entries come in the order of the
+/// text. \param name what messages call it. \throws InputError naming it and the line.
+[[nodiscard]] std::vector<ConfigEntry> parseConfig(std::string text, const std::string& name);
 }  // namespace specplan::problems

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "specplan/problems/PrintableText.h"
+
 namespace specplan::problems
 {
 /// All parts one after the other, as `<<` prints them.
@@ -16,15 +18,17 @@ template <typename... Parts>
     return text.str();
 }
 
-/// Bad input, said in one line: "FILE:LINE: what was expected, what was found".
+/// Bad input, said in one printable line: "FILE:LINE: what was expected, what was found".
 class InputError : public std::runtime_error
 {
 public:
-    using std::runtime_error::runtime_error;
+    explicit InputError(const std::string& text) : std::runtime_error(printable(text))
+    {
+    }
 
     /// \param line from 1; 0 if the whole file is meant.
     InputError(const std::string& file, std::size_t line, const std::string& text)
-        : std::runtime_error(line > 0 ? concat(file, ":", line, ": ", text) : concat(file, ": ", text))
+        : InputError(line > 0 ? concat(file, ":", line, ": ", text) : concat(file, ": ", text))
     {
     }
 };

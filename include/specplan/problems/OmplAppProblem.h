@@ -80,4 +80,7 @@ struct OmplAppProblem
 /// Reads such a file. Mesh files and maps are looked for beside it. \throws InputError naming file, line and what was
 /// expected; problems with controls are refused.
 [[nodiscard]] OmplAppProblem readOmplAppProblem(const std::string& path);
+
+/// The same of a text in memory. \param name what messages call it; mesh files and maps are looked for in its folder.
+[[nodiscard]] OmplAppProblem parseOmplAppProblem(std::string text, const std::string& name);
 }  // namespace specplan::problems

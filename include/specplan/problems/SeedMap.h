@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "specplan/problems/GridMap.h"
 
@@ -19,6 +20,9 @@ namespace specplan::problems
 /// \throws InputError naming file and line.
 [[nodiscard]] GridProblem readSeedMap(const std::string& path);
 
-/// Whether the file begins like one in this format. \throws InputError if it cannot be read.
-[[nodiscard]] bool looksLikeSeedMap(const std::string& path);
+/// The same of a text in memory. \param name what messages call it.
+[[nodiscard]] GridProblem parseSeedMap(std::string text, const std::string& name);
+
+/// Whether a text begins like one in this format.
+[[nodiscard]] bool looksLikeSeedMap(std::string_view text);
 }  // namespace specplan::problems

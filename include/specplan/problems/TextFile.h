@@ -2,8 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <fstream>
-#include <functional>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,12 +11,22 @@
 
 namespace specplan::problems
 {
-/// Reads a text file line by line and knows where it is, for messages.
+/// The whole of a file, or of what a pipe or device has. \throws InputError if it cannot be read, is a directory, or has
+/// more than 1 GiB.
+[[nodiscard]] std::string readText(const std::string& path);
+
+/// The same of a stream. \param name what messages call it.
+[[nodiscard]] std::string readText(std::istream& in, const std::string& name);
+
+/// Reads a text line by line and knows where it is, for messages.
 class LineReader
 {
 public:
-    /// \throws InputError if the file cannot be read.
-    explicit LineReader(std::string path);
+    /// \throws InputError as readText() does.
+    explicit LineReader(const std::string& path);
+
+    /// \param name what messages call it.
+    LineReader(std::string text, std::string name);
 
     /// Next line without its end ("\n" or "\r\n"); false at the end of the file.
     bool next(std::string& line);
@@ -33,14 +42,15 @@ public:
     template <typename... Parts>
     [[noreturn]] void fail(const Parts&... text) const
     {
-        throw InputError(path_, line_, concat(text...));
+        throw InputError(name_, line_, concat(text...));
     }
 
 private:
     std::string expectLine(const std::string& what);
 
-    std::string path_;
-    std::ifstream in_;
+    std::string text_;
+    std::string name_;
+    std::size_t at_ = 0;
     std::size_t line_ = 0;
 };
 
@@ -50,11 +60,4 @@ private:
 /// The whole text as a number. \return false if it is not one, or not finite.
 [[nodiscard]] bool parse(std::string_view text, int& number);
 [[nodiscard]] bool parse(std::string_view text, double& number);
-
-/// Writes a file all or nothing: to a temporary beside it that takes its name at the end.
-/// \throws InputError if that cannot be done; the old file, if any, is then as it was.
-void writeFile(const std::string& path, const std::function<void(std::ostream&)>& write);
-
-/// \throws InputError if `writeFile` would not be able to write there.
-void requireWritable(const std::string& path);
 }  // namespace specplan::problems

@@ -10,7 +10,7 @@
 #include <assimp/Importer.hpp>
 
 #include "specplan/problems/InputError.h"
-#include "specplan/problems/TextFile.h"
+#include "specplan/problems/OutputFile.h"
 
 namespace specplan::problems
 {

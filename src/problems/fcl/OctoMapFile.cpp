@@ -10,6 +10,7 @@
 #include <octomap/octomap.h>
 
 #include "specplan/problems/InputError.h"
+#include "specplan/problems/OutputFile.h"
 #include "specplan/problems/TextFile.h"
 #include "specplan/problems/fcl/OctoMap.h"
 
@@ -45,7 +46,7 @@ public:
     {
         Header header = readHeader();
         if (header.id != "OcTree")
-            fail("expected a map of class OcTree, found '", header.id, '\'');
+            fail("expected a map of class OcTree, found ", inQuotes(header.id));
         if (!(header.resolution > 0.0))
             fail("expected voxels larger than 0, found 'res ", header.resolution, '\'');
         if (header.nodes == 0)
@@ -92,9 +93,9 @@ private:
             if (words[0] == "id")
                 header.id = words[1];
             else if (words[0] == "res" && !parse(words[1], header.resolution))
-                fail("expected a number as 'res', found '", words[1], '\'');
+                fail("expected a number as 'res', found ", inQuotes(words[1]));
             else if (words[0] == "size" && (!parse(words[1], count) || count < 0))
-                fail("expected a number of nodes as 'size', found '", words[1], '\'');
+                fail("expected a number of nodes as 'size', found ", inQuotes(words[1]));
             else if (words[0] == "size")
                 header.nodes = static_cast<std::size_t>(count);
         }

@@ -93,21 +93,25 @@ std::string sizeText(const Eigen::AlignedBox3d& box)
 }
 }  // namespace
 
-RigidBodySetup::RigidBodySetup(OmplAppProblem problem)
+RigidBodySetup::RigidBodySetup(OmplAppProblem problem) : RigidBodySetup(std::move(problem), &problems::readMesh)
+{
+}
+
+RigidBodySetup::RigidBodySetup(OmplAppProblem problem, const MeshReader& readMesh)
     : problem_(std::move(problem)), robot_(readMesh(problem_.robot.path)), bounds_(problem_.planar ? 2 : 3)
 {
     Eigen::Vector3d centre = centreOf(robot_);
     if (problem_.planar)
         centre.z() = 0.0;
     robot_ = moved(std::move(robot_), -centre);
-    scene_ = std::make_shared<const RigidBodyScene>(std::vector{RigidBody().addMesh(robot_)}, readWorld());
-    requireFitting();
+    scene_ = std::make_shared<const RigidBodyScene>(std::vector{RigidBody().addMesh(robot_)}, readWorld(readMesh));
+    warnOfSize();
     findBounds();
     requireFree(problem_.start, "start");
     requireFree(problem_.goal, "goal");
 }
 
-RigidBody RigidBodySetup::readWorld()
+RigidBody RigidBodySetup::readWorld(const MeshReader& readMesh)
 {
     if (isOctoMapFile(problem_.world.path))
     {
@@ -121,13 +125,13 @@ RigidBody RigidBodySetup::readWorld()
     return RigidBody().addMesh(world_);
 }
 
-void RigidBodySetup::requireFitting() const
+void RigidBodySetup::warnOfSize()
 {
     const Eigen::AlignedBox3d robot = boundsOf(robot_);
     if (robot.diagonal().norm() > worldBounds_.diagonal().norm())
-        throw InputError(problem_.file, problem_.robot.line,
-                         concat("expected a robot smaller than the world, found ", sizeText(robot), " in ",
-                                sizeText(worldBounds_), "; are both in the same unit?"));
+        problem_.warnings.push_back(printable(concat(problem_.file, ':', problem_.robot.line, ": the robot, ",
+                                                     sizeText(robot), ", is larger than the world, ",
+                                                     sizeText(worldBounds_), "; are both in the same unit?")));
 }
 
 void RigidBodySetup::findBounds()
@@ -140,8 +144,9 @@ void RigidBodySetup::findBounds()
         {
             const double place = pose->position[i];
             if (problem_.volume && (place < bounds_.low[i] || place > bounds_.high[i]))
-                problem_.warnings.push_back(concat(problem_.file, ':', pose->line, ": ", kAxes[i], " = ", place,
-                                                   " is outside of the volume, which is enlarged to hold it"));
+                problem_.warnings.push_back(
+                    printable(concat(problem_.file, ':', pose->line, ": ", kAxes[i], " = ", place,
+                                     " is outside of the volume, which is enlarged to hold it")));
             bounds_.low[i] = std::min(bounds_.low[i], place);
             bounds_.high[i] = std::max(bounds_.high[i], place);
         }

@@ -13,6 +13,7 @@
 
 #include "RigidFixture.h"
 #include "specplan/problems/InputError.h"
+#include "specplan/problems/fcl/MeshFile.h"
 #include "specplan/problems/fcl/RigidBodyChecker.h"
 
 namespace specplan::problems
@@ -84,7 +85,6 @@ TEST_F(RigidSetup, RefusesProblemsThatCannotBeMeantInOneLine)
         std::string text;
         std::string complaint;
     };
-    writeObj(room_.folder / "huge.obj", test::boxMesh({0.0, 0.0, 0.0}, {39.0, 3.0, 3.0}));
     writeObj(room_.folder / "flat.obj", Mesh{{{0, 0, 5}, {10, 0, 5}, {0, 10, 5}}, {{0, 1, 2}}});
     static_cast<void>(room_.folder.write("broken.dae", "no mesh"));
     std::string flatWorld = replaced(RoomFolder::spatial(), "room.obj", "flat.obj");
@@ -94,13 +94,32 @@ TEST_F(RigidSetup, RefusesProblemsThatCannotBeMeantInOneLine)
          "a.cfg:6: expected a free start, but there the robot collides with the world"},
         {replaced(RoomFolder::spatial(), "goal.x = 8", "goal.x = 10"),
          "a.cfg:14: expected a free goal, but there the robot collides with the world"},
-        {replaced(RoomFolder::planar(), "robot.obj", "huge.obj"),
-         "a.cfg:3: expected a robot smaller than the world, found 39 x 3 x 3 in 10.4 x 10.4 x 3; are both in the same "
-         "unit?"},
         {flatWorld, "a.cfg: expected problem.volume.min.z and problem.volume.max.z: the world is flat along z"},
         {replaced(RoomFolder::planar(), "room.obj", "broken.dae"), "broken.dae: expected a mesh"}};
     for (const Bad& each : bad)
         EXPECT_EQ(complaint(each.text).substr(0, each.complaint.size()), each.complaint) << each.text;
+}
+
+TEST_F(RigidSetup, ARobotLargerThanTheWorldIsAWarning)
+{
+    writeObj(room_.folder / "small.obj", test::boxMesh({4.9, 4.9, 0.0}, {5.1, 5.1, 0.2}));
+    const RigidBodySetup problem = read(replaced(RoomFolder::planar(), "room.obj", "small.obj"));
+    ASSERT_EQ(problem.warnings().size(), 1U);
+    EXPECT_NE(problem.warnings().front().find("a.cfg:3: the robot, "), std::string::npos) << problem.warnings().front();
+    EXPECT_NE(problem.warnings().front().find(" is larger than the world, 0.2 x 0.2 x 0.2; are both in the same unit?"),
+              std::string::npos);
+}
+
+TEST_F(RigidSetup, ReadsMeshesAsItIsTold)
+{
+    std::vector<std::string> files;
+    const RigidBodySetup problem(readOmplAppProblem(room_.folder.write("a.cfg", RoomFolder::planar())),
+                                 [&files](const std::string& path)
+                                 {
+                                     files.push_back(path);
+                                     return readMesh(path);
+                                 });
+    EXPECT_EQ(files, (std::vector<std::string>{room_.folder / "robot.obj", room_.folder / "room.obj"}));
 }
 
 TEST_F(RigidSetup, MakesSetupsThatOmplSolves)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,9 +25,15 @@ namespace specplan::problems
 class RigidBodySetup
 {
 public:
-    /// Reads the meshes. \throws InputError, one line: a mesh cannot be used, the robot is larger than the world, or
-    /// start or goal collides.
+    /// What reads a mesh file as readMesh() does.
+    using MeshReader = std::function<Mesh(const std::string& path)>;
+
+    /// Reads the meshes. A robot that is larger than the world is a warning.
+    /// \throws InputError, one line: a mesh cannot be used, or start or goal collides.
     explicit RigidBodySetup(OmplAppProblem problem);
+
+    /// The same with another reader of meshes, such as one that reads them in a process of their own.
+    RigidBodySetup(OmplAppProblem problem, const MeshReader& readMesh);
 
     /// A fresh SimpleSetup with space, bounds, checker, start, goal and objective, but no planner.
     /// \param check what each check takes besides its own work.
@@ -67,9 +74,9 @@ public:
     }
 
 private:
-    [[nodiscard]] RigidBody readWorld();
+    [[nodiscard]] RigidBody readWorld(const MeshReader& readMesh);
     void findBounds();
-    void requireFitting() const;
+    void warnOfSize();
     void requireFree(const RigidPose& pose, const char* what) const;
     [[nodiscard]] ompl::base::StateSpacePtr makeSpace() const;
 
