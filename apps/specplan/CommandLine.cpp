@@ -24,8 +24,8 @@
 namespace specplan::command
 {
 using problems::concat;
-using problems::inQuotes;
 using problems::InputError;
+using problems::inQuotes;
 
 namespace
 {
@@ -101,7 +101,8 @@ private:
         const std::vector<std::string> unknown = app_.remaining(true);
         if (unknown.empty())
             return;
-        const auto option = std::ranges::find_if(unknown, [](const std::string& each) { return each.starts_with('-'); });
+        const auto option =
+            std::ranges::find_if(unknown, [](const std::string& each) { return each.starts_with('-'); });
         const std::string word = option != unknown.end() ? *option : unknown.front();
         const auto chosen = app_.get_subcommands();
         if (word.starts_with('-'))
@@ -117,8 +118,7 @@ private:
     {
         for (const CLI::App* app : app_.get_subcommands())
             for (const CLI::Option* option : app->get_options())
-                if (option->get_items_expected_max() > 0 &&
-                    std::ranges::any_of(option->results(), &std::string::empty))
+                if (option->get_items_expected_max() > 0 && std::ranges::any_of(option->results(), &std::string::empty))
                     throw InputError(concat(option->get_name(), ": expected ",
                                             option->get_type_name().empty() ? "a file" : option->get_type_name(),
                                             ", found an empty value"));

@@ -108,8 +108,8 @@ void writeZshOption(std::ostream& out, const CLI::Option& option)
     for (std::size_t at = 0; at < names.size();)
     {
         const std::size_t end = std::min(names.find(' ', at), names.size());
-        out << " \\\n                '" << names.substr(at, end - at) << '['
-            << zshText(option.get_description()) << ']';
+        out << " \\\n                '" << names.substr(at, end - at) << '[' << zshText(option.get_description())
+            << ']';
         if (option.get_items_expected_max() > 0)
             out << ':' << zshText(option.get_type_name()) << ':';
         if (takesFile(option))

@@ -12,8 +12,8 @@
 namespace specplan::command
 {
 using problems::concat;
-using problems::inQuotes;
 using problems::InputError;
+using problems::inQuotes;
 
 namespace
 {
@@ -79,11 +79,14 @@ void addValidityResolution(CLI::App& app, std::optional<double>& resolution)
 void addArtificialCheck(CLI::App& app, problems::ArtificialCheck& check)
 {
     CLI::Option* latency = addText(app, "--check-latency", "Each check sleeps this long, such as 5ms",
-                                   [&check](const std::string& text)
-                                   { check = {parseDuration("--check-latency", text), false}; });
+                                   [&check](const std::string& text) {
+                                       check = {parseDuration("--check-latency", text), false};
+                                   });
     latency->type_name("TIME");
     addText(app, "--check-busy", "Each check burns CPU this long, such as 100us",
-            [&check](const std::string& text) { check = {parseDuration("--check-busy", text), true}; })
+            [&check](const std::string& text) {
+                check = {parseDuration("--check-busy", text), true};
+            })
         ->type_name("TIME")
         ->excludes(latency);
 }
@@ -100,10 +103,10 @@ void addProblemOptions(CLI::App& app, ProblemOptions& options, bool several)
         ->required()
         ->type_name("")
         ->expected(1, several ? -1 : 1);
-    CLI::Option* start = addText(app, "--start", "Start cell x,y", [&options](const std::string& text)
-                                 { options.start = parseCell("--start", text); });
-    CLI::Option* goal = addText(app, "--goal", "Goal cell x,y", [&options](const std::string& text)
-                                { options.goal = parseCell("--goal", text); });
+    CLI::Option* start = addText(app, "--start", "Start cell x,y",
+                                 [&options](const std::string& text) { options.start = parseCell("--start", text); });
+    CLI::Option* goal = addText(app, "--goal", "Goal cell x,y",
+                                [&options](const std::string& text) { options.goal = parseCell("--goal", text); });
     start->type_name("X,Y");
     goal->type_name("X,Y");
     addFile(app, "--scen", options.scenario, "Moving AI scenario [PROBLEM.scen if there is one]")
@@ -159,11 +162,11 @@ void addComparisons(CLI::App& app, PlanOptions& options, CLI::Option* threads)
                    "Plan with another planner of OMPL, such as RRTConnect:range=5, for comparison; 10 s at most")
         ->type_name("NAME[:K=V;...]")
         ->excludes(verify);
-    CLI::Option* predict = addText(app, "--predict",
-                                   "Search with one thread, and tell from the durations of its checks how long it "
-                                   "takes with so many, such as 1,2,4 or 1..256",
-                                   [&options](const std::string& text)
-                                   { options.predict = parseWorkers("--predict", text); });
+    CLI::Option* predict =
+        addText(app, "--predict",
+                "Search with one thread, and tell from the durations of its checks how long it "
+                "takes with so many, such as 1,2,4 or 1..256",
+                [&options](const std::string& text) { options.predict = parseWorkers("--predict", text); });
     predict->type_name("N,...|N..M")->excludes(threads)->excludes(verify);
     for (const char* other : {"--executor", "--planner", "--anytime", "--explain"})
         predict->excludes(other);

@@ -30,8 +30,8 @@ std::size_t entryIndex(const std::string& text, const std::string& file, std::si
         return entries - 1;
     int index = 0;
     if (!problems::parse(text, index) || index < 0 || static_cast<std::size_t>(index) >= entries)
-        throw InputError(
-            concat("--index: expected 0 to ", entries - 1, " or 'last' for ", file, ", found ", problems::inQuotes(text)));
+        throw InputError(concat("--index: expected 0 to ", entries - 1, " or 'last' for ", file, ", found ",
+                                problems::inQuotes(text)));
     return static_cast<std::size_t>(index);
 }
 

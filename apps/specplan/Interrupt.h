@@ -5,8 +5,8 @@
 
 namespace specplan::command
 {
-/// While it lives Ctrl-C (SIGINT) stops the search and leaves what has been found; a second one ends the program, as the
-/// first one does before and after. A program that was told to ignore SIGINT goes on doing so.
+/// While it lives Ctrl-C (SIGINT) stops the search and leaves what has been found; a second one ends the program, as
+/// the first one does before and after. A program that was told to ignore SIGINT goes on doing so.
 ///
 /// Threads: one of it at a time.
 class StopOnInterrupt

@@ -32,8 +32,7 @@ std::string upper(std::string text)
 std::string synopsis(const CLI::App& app)
 {
     std::string text = "\\fBspecplan " + app.get_name() + "\\fR [\\fIOPTION\\fR]...";
-    for (const CLI::Option* option : app.get_options(
-             [](const CLI::Option* each) { return each->get_positional(); }))
+    for (const CLI::Option* option : app.get_options([](const CLI::Option* each) { return each->get_positional(); }))
         text += " \\fI" + roff(option->get_name(true)) + "\\fR" + (option->get_items_expected_max() > 1 ? "..." : "");
     return text;
 }
@@ -81,12 +80,14 @@ void writeManPage(std::ostream& out, const CLI::App& app)
     out << "\\fBspecplan\\fR \\fB\\-\\-help\\fR | \\fB\\-\\-version\\fR\n"
         << ".SH DESCRIPTION\n"
         << "Each subcommand prints a table, or one JSON object. Bad input is refused with one line on standard error.\n"
-        << "Files that options write keep their permissions; links, pipes and devices stay what they are. Where FILE is\n"
+        << "Files that options write keep their permissions; links, pipes and devices stay what they are. Where FILE "
+           "is\n"
         << "\\- it is standard output, and the table goes to standard error.\n"
         << "Ctrl\\-C stops a search and keeps what it has found; a second one ends the program.\n";
     for (const CLI::App* subcommand : subcommands)
     {
-        out << ".SH " << upper(subcommand->get_name()) << '\n' << synopsis(*subcommand) << "\n.PP\n"
+        out << ".SH " << upper(subcommand->get_name()) << '\n'
+            << synopsis(*subcommand) << "\n.PP\n"
             << roff(subcommand->get_description()) << ".\n";
         for (const CLI::Option* option : subcommand->get_options())
             if (!option->get_group().empty())

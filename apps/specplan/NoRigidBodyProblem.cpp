@@ -7,6 +7,7 @@ namespace specplan::command
 {
 std::unique_ptr<Problem> readRigidBodyProblem(Input input, const ProblemOptions&)
 {
-    throw problems::InputError(input.name, 0, "rigid-body problems need FCL and Assimp, and this specplan was built without");
+    throw problems::InputError(input.name, 0,
+                               "rigid-body problems need FCL and Assimp, and this specplan was built without");
 }
 }  // namespace specplan::command

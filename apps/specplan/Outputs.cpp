@@ -48,7 +48,8 @@ void requireFree(const Output& output, const std::vector<std::string>& inputs, b
 void requireOutputs(const std::vector<Output>& outputs, const std::vector<std::string>& inputs, bool json)
 {
     std::vector<Output> wanted;
-    std::ranges::copy_if(outputs, std::back_inserter(wanted), [](const Output& output) { return !output.file.empty(); });
+    std::ranges::copy_if(outputs, std::back_inserter(wanted),
+                         [](const Output& output) { return !output.file.empty(); });
     for (std::size_t i = 0; i < wanted.size(); ++i)
     {
         if (!isStandardOutput(wanted[i].file))
@@ -64,8 +65,7 @@ void requireOutputs(const std::vector<Output>& outputs, const std::vector<std::s
 
 std::ostream& streamForTables(const std::vector<Output>& outputs, std::ostream& out)
 {
-    const bool taken =
-        std::ranges::any_of(outputs, [](const Output& output) { return isStandardOutput(output.file); });
+    const bool taken = std::ranges::any_of(outputs, [](const Output& output) { return isStandardOutput(output.file); });
     return taken ? std::cerr : out;
 }
 

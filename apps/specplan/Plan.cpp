@@ -76,8 +76,7 @@ void writeFiles(const Problem& problem, const PlanOptions& options, const Run& r
                         file << compactJsonText(trace);
                     });
     if (!options.pathFile.empty() && run.solved())
-        writeOutput(options.pathFile,
-                            [&](std::ostream& file) { run.setup->getSolutionPath().printAsMatrix(file); });
+        writeOutput(options.pathFile, [&](std::ostream& file) { run.setup->getSolutionPath().printAsMatrix(file); });
 }
 
 /// All that came of the options.

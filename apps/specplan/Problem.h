@@ -82,8 +82,8 @@ private:
     std::string name_;
 };
 
-/// Reads a Moving AI map, a map in the seed's format or a problem of OMPL.app, by the looks of the file; "-" is standard
-/// input. What such a file says and nobody heeds is reported on standard error, a line each.
-/// \throws InputError naming file, line or option.
+/// Reads a Moving AI map, a map in the seed's format or a problem of OMPL.app, by the looks of the file; "-" is
+/// standard input. What such a file says and nobody heeds is reported on standard error, a line each. \throws
+/// InputError naming file, line or option.
 [[nodiscard]] std::unique_ptr<Problem> readProblem(const std::string& file, const ProblemOptions& options);
 }  // namespace specplan::command

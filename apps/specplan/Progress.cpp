@@ -19,9 +19,9 @@ constexpr std::chrono::milliseconds kInterval{200};
 
 Progress::Progress(const SpeculativeAStar& planner, const std::string& problem, const PlannerSettings& settings)
     : planner_(planner),
-      title_(
-          problems::concat(problems::printable(problem), ", ", settings.numThreads == 1 ? "sequential" : settings.speculationPolicy, ", ",
-                           settings.numThreads == 0 ? "all cores" : problems::concat(settings.numThreads, " threads"))),
+      title_(problems::concat(
+          problems::printable(problem), ", ", settings.numThreads == 1 ? "sequential" : settings.speculationPolicy,
+          ", ", settings.numThreads == 0 ? "all cores" : problems::concat(settings.numThreads, " threads"))),
       enabled_(isatty(STDERR_FILENO) == 1),
       next_(begin_ + kQuiet)
 {

@@ -157,8 +157,9 @@ void printRun(std::ostream& out, const Run& run)
 
 void Table::printHeading(const Run& run)
 {
-    out_ << problems::printable(run.problem) << ": " << run.report.expansions << " expansions, " << run.report.checksUsed
-         << " checks used, cost " << (run.solved() ? concat(std::setprecision(9), run.report.cost) : "-") << '\n';
+    out_ << problems::printable(run.problem) << ": " << run.report.expansions << " expansions, "
+         << run.report.checksUsed << " checks used, cost "
+         << (run.solved() ? concat(std::setprecision(9), run.report.cost) : "-") << '\n';
     for (const Column& column : kColumns)
         out_ << std::right << std::setw(column.width) << column.name;
     out_ << "   (demanded and ahead: checks per expansion)\n";

@@ -55,7 +55,8 @@ void noteImprovements(Run& run)
 void noteExpansions(Run& run, const Watch& watch)
 {
     run.planner->setExpansionObserver(
-        [&run, states = watch.states, order = watch.order, reals = std::vector<double>()](const ob::State* state) mutable
+        [&run, states = watch.states, order = watch.order,
+         reals = std::vector<double>()](const ob::State* state) mutable
         {
             run.setup->getStateSpace()->copyToReals(reals, state);
             if (states)

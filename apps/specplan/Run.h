@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -56,10 +56,10 @@ struct Run
 /// What to keep of a search besides its figures, and where else to stop it.
 struct Watch
 {
-    bool states = false;                                ///< fills Run::expanded
-    bool order = false;                                 ///< fills Run::order
-    std::shared_ptr<planner::CheckTrace> trace = {};         ///< as SpeculativeAStar::setCheckTrace says; empty for none
-    std::optional<std::uint64_t> expansions = {};       ///< stops after so many; needs `order`
+    bool states = false;                              ///< fills Run::expanded
+    bool order = false;                               ///< fills Run::order
+    std::shared_ptr<planner::CheckTrace> trace = {};  ///< as SpeculativeAStar::setCheckTrace says; empty for none
+    std::optional<std::uint64_t> expansions = {};     ///< stops after so many; needs `order`
 };
 
 /// Plans once: until there is a path, on finer lattices too where the problem leaves the lattice to the planner;

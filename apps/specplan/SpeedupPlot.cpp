@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <set>
 #include <ostream>
+#include <set>
 #include <sstream>
 #include <system_error>
 

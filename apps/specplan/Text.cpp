@@ -30,7 +30,8 @@ std::chrono::nanoseconds parseDuration(const std::string& option, const std::str
             value * nanoseconds <= kLongest)
             return std::chrono::nanoseconds(std::llround(value * nanoseconds));
     }
-    throw InputError(concat(option, ": expected a duration such as 5ms (ns, us, ms or s), found ", problems::inQuotes(text)));
+    throw InputError(
+        concat(option, ": expected a duration such as 5ms (ns, us, ms or s), found ", problems::inQuotes(text)));
 }
 
 problems::GridCell parseCell(const std::string& option, const std::string& text)
@@ -55,9 +56,8 @@ std::vector<unsigned> parseWorkers(const std::string& option, const std::string&
         const bool read = problems::parse(std::string_view(part).substr(0, dots), first) &&
                           problems::parse(std::string_view(part).substr(dots == part.npos ? 0 : dots + 2), last);
         if (!read || first < 1 || last < first || last > kMost)
-            throw InputError(
-                concat(option, ": expected numbers from 1 to 4096 such as 1,2,4 or 1..256, found ",
-                       problems::inQuotes(text)));
+            throw InputError(concat(option, ": expected numbers from 1 to 4096 such as 1,2,4 or 1..256, found ",
+                                    problems::inQuotes(text)));
         for (int next = first; next < last; next *= 2)
             workers.insert(static_cast<unsigned>(next));
         workers.insert(static_cast<unsigned>(last));

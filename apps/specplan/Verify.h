@@ -16,7 +16,7 @@ namespace specplan::command
 struct Verification
 {
     Run sequential;
-    std::string difference;   ///< empty if there is none
+    std::string difference;    ///< empty if there is none
     bool interrupted = false;  ///< by the user, before the sequential run came as far as the other
 };
 

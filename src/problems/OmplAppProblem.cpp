@@ -84,8 +84,9 @@ public:
 
     [[noreturn]] void fail(const ConfigEntry& entry, const std::string& expected) const
     {
-        throw InputError(path_, entry.line,
-                         concat(entry.section, '.', entry.key, ": expected ", expected, ", found ", inQuotes(entry.value)));
+        throw InputError(
+            path_, entry.line,
+            concat(entry.section, '.', entry.key, ": expected ", expected, ", found ", inQuotes(entry.value)));
     }
 
     [[nodiscard]] const std::map<std::string, ConfigEntry>& left() const noexcept
@@ -294,7 +295,8 @@ void readPlanners(OmplAppProblem& problem, const std::vector<ConfigEntry>& entri
         {
             problem.planners.push_back({name, {}, entry.line});
             if (!entry.value.empty())
-                warn(entry, concat("planner.", entry.key, " takes no value: ", inQuotes(entry.value), " is not heeded"));
+                warn(entry,
+                     concat("planner.", entry.key, " takes no value: ", inQuotes(entry.value), " is not heeded"));
         }
         else
         {

@@ -252,6 +252,8 @@ bool isSameFile(const std::string& a, const std::string& b)
     if (existsA)
         return !S_ISCHR(statusA.st_mode) && statusA.st_dev == statusB.st_dev && statusA.st_ino == statusB.st_ino;
     std::error_code error;
-    return fs::weakly_canonical(targetOf(a).path, error) == fs::weakly_canonical(targetOf(b).path, error);
+    // A name of nothing would stay relative.
+    return fs::weakly_canonical(fs::absolute(targetOf(a).path), error) ==
+           fs::weakly_canonical(fs::absolute(targetOf(b).path), error);
 }
 }  // namespace specplan::problems

@@ -200,7 +200,8 @@ ob::PlannerPtr makePlanner(const std::string& name, const std::map<std::string, 
 {
     const CatalogEntry* entry = find(name);
     if (entry == nullptr)
-        throw InputError(concat("planner ", inQuotes(name), " is not known; expected SpeculativeAStar or one of OMPL's, such ",
+        throw InputError(concat("planner ", inQuotes(name),
+                                " is not known; expected SpeculativeAStar or one of OMPL's, such ",
                                 "as RRTConnect or BITstar"));
     ob::PlannerPtr planner = entry->make(si);
     for (const auto& [key, value] : parameters)

@@ -29,8 +29,8 @@ struct Outcome
 inline Outcome shell(const std::string& line)
 {
     const TemporaryFolder folder;
-    const std::string whole = "SPECPLAN='" SPECPLAN_COMMAND "'; (" + line + "\n) >'" + folder / "out" + "' 2>'" +
-                              folder / "err" + "'";
+    const std::string whole =
+        "SPECPLAN='" SPECPLAN_COMMAND "'; (" + line + "\n) >'" + folder / "out" + "' 2>'" + folder / "err" + "'";
     const int status = std::system(whole.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, folder.read("out"), folder.read("err")};
 }

@@ -75,8 +75,8 @@ TEST(DifferenceOf, SeesThroughStops)
 TEST(Verify, ComparesWithTheSequentialRun)
 {
     const std::string city = test::scene("city-64.map");
-    for (const char* how : {"--threads 4 --check-latency 20us", "--threads 64 --executor virtual", "--threads 3 --weight 5",
-                            "--threads 4 --evaluation lazy --check-latency 20us"})
+    for (const char* how : {"--threads 4 --check-latency 20us", "--threads 64 --executor virtual",
+                            "--threads 3 --weight 5", "--threads 4 --evaluation lazy --check-latency 20us"})
     {
         const test::Outcome outcome = test::call("plan " + city + " --verify --json " + how);
         EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -90,8 +90,9 @@ TEST(Verify, ComparesWithTheSequentialRun)
         EXPECT_EQ(verification["sequential"]["policy"], "none");
     }
     const test::Outcome table = test::call("plan " + city + " --verify");
-    EXPECT_NE(table.out.find("verified            status, path, cost and all 1623 expansions are those of sequential A*"),
-              std::string::npos)
+    EXPECT_NE(
+        table.out.find("verified            status, path, cost and all 1623 expansions are those of sequential A*"),
+        std::string::npos)
         << table.out;
 }
 

@@ -33,17 +33,16 @@ TEST(Interrupt, IsAStatusOfItsOwn)
     const int status = repeated(
         [&](milliseconds after)
         {
-            return callAndInterrupt({"plan", kCity, "--threads", "1", "--check-latency", "1s", "--json", "--path",
-                                     folder / "path"},
-                                    folder / "out", {after});
+            return callAndInterrupt(
+                {"plan", kCity, "--threads", "1", "--check-latency", "1s", "--json", "--path", folder / "path"},
+                folder / "out", {after});
         });
     EXPECT_EQ(status, 130);
     EXPECT_EQ(nlohmann::json::parse(folder.read("out"))["status"], "interrupted");
     EXPECT_EQ(folder.files(), 1) << "no path, no file";
 
     EXPECT_EQ(repeated(
-                  [&](milliseconds after)
-                  {
+                  [&](milliseconds after) {
                       return callAndInterrupt({"plan", kCity, "--check-latency", "1s"}, folder / "out", {after});
                   }),
               130);
@@ -53,8 +52,8 @@ TEST(Interrupt, IsAStatusOfItsOwn)
 TEST(Interrupt, StoppedSpeedupsLeaveWhatIsFinishedOrNothing)
 {
     const TemporaryFolder folder;
-    const std::vector<std::string> slow{"speedup", kCity, "--check-latency", "100ms", "--threads", "1,2", "--csv",
-                                        folder / "csv", "--json"};
+    const std::vector<std::string> slow{"speedup", kCity,   "--check-latency", "100ms", "--threads",
+                                        "1,2",     "--csv", folder / "csv",    "--json"};
     EXPECT_EQ(repeated([&](milliseconds after) { return callAndInterrupt(slow, folder / "out", {after}); }), 130);
     const nlohmann::json nothing = nlohmann::json::parse(folder.read("out"));
     EXPECT_EQ(nothing["interrupted"], true);

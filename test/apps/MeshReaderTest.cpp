@@ -51,17 +51,18 @@ TEST_F(DamagedMesh, GoodOnesAreRead)
 
 TEST_F(DamagedMesh, CannotCrashOrHangTheCommand)
 {
-    const std::vector<std::string> bad{replaced(kCollada, "count=\"9\"", "count=\"0\""),
-                                       replaced(kCollada, "count=\"9\"", "count=\"x\""),
-                                       replaced(kCollada, "count=\"9\"", "count=\"4000000000\""),
-                                       replaced(kCollada, "count=\"9\"", "count=\"8\""),
-                                       replaced(kCollada, "<p>0 1 2", "<p>0 1x 2"),
-                                       replaced(kCollada, "<p>0 1 2", "<p>0 1 3"),
-                                       replaced(kCollada, "<p>0 1 2", "<p>0 1 -2"),
-                                       replaced(kCollada, "<p>0 1 2", "<p>0 1 99999999999"),
-                                       replaced(kCollada, "stride=\"3\"", "stride=\"1000000\""),
-                                       replaced(kCollada, "accessor count=\"3\"", "accessor count=\"3000000\""),
-                                       replaced(kCollada, "<instance_geometry url=\"#g\"/>", "<instance_node url=\"#n\"/>")};
+    const std::vector<std::string> bad{
+        replaced(kCollada, "count=\"9\"", "count=\"0\""),
+        replaced(kCollada, "count=\"9\"", "count=\"x\""),
+        replaced(kCollada, "count=\"9\"", "count=\"4000000000\""),
+        replaced(kCollada, "count=\"9\"", "count=\"8\""),
+        replaced(kCollada, "<p>0 1 2", "<p>0 1x 2"),
+        replaced(kCollada, "<p>0 1 2", "<p>0 1 3"),
+        replaced(kCollada, "<p>0 1 2", "<p>0 1 -2"),
+        replaced(kCollada, "<p>0 1 2", "<p>0 1 99999999999"),
+        replaced(kCollada, "stride=\"3\"", "stride=\"1000000\""),
+        replaced(kCollada, "accessor count=\"3\"", "accessor count=\"3000000\""),
+        replaced(kCollada, "<instance_geometry url=\"#g\"/>", "<instance_node url=\"#n\"/>")};
     for (const std::string& each : bad)
     {
         const Outcome outcome = planIn(each);
@@ -70,7 +71,8 @@ TEST_F(DamagedMesh, CannotCrashOrHangTheCommand)
             continue;  // Assimp made something of it
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
-        EXPECT_NE(outcome.err.find("world.dae: expected "), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("world.dae:"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("expected "), std::string::npos) << outcome.err;
     }
 }
 

@@ -62,9 +62,8 @@ TEST_F(Outputs, DevicesStayDevices)
 TEST_F(Outputs, PipesAreFilled)
 {
     ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
-    const Outcome outcome =
-        shell("cat " + file("pipe") + " >" + file("got") + " & \"$SPECPLAN\" plan " + kCity + " --path " + file("pipe") +
-              " && wait");
+    const Outcome outcome = shell("cat " + file("pipe") + " >" + file("got") + " & \"$SPECPLAN\" plan " + kCity +
+                                  " --path " + file("pipe") + " && wait");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_TRUE(fs::is_fifo(folder_ / "pipe"));
     EXPECT_EQ(folder_.read("got"), path());
@@ -121,30 +120,29 @@ TEST_F(Outputs, ALostOutputIsAnError)
 {
     if (!fs::is_character_file("/dev/full"))
         GTEST_SKIP() << "this system has no /dev/full";
-    const std::vector<std::string> calls{"plan " + kCity,
-                                         "plan " + kCity + " --json",
-                                         "plan " + kCity + " --explain",
-                                         "plan " + kCity + " --path -",
-                                         "speedup " + kCity + " --executor virtual --threads 1,2",
-                                         "speedup " + kCity + " --executor virtual --threads 1,2 --json",
-                                         "benchmark " + kCity + " --planners RRTConnect --runs 1 --time-limit 5s",
-                                         "benchmark " + kCity + " --planners RRTConnect --runs 1 --time-limit 5s --json",
-                                         "--help",
-                                         "plan --help",
-                                         "--version",
-                                         "--man",
-                                         "--completion bash"};
+    const std::vector<std::string> calls{
+        "plan " + kCity,
+        "plan " + kCity + " --json",
+        "plan " + kCity + " --explain",
+        "plan " + kCity + " --path -",
+        "speedup " + kCity + " --executor virtual --threads 1,2",
+        "speedup " + kCity + " --executor virtual --threads 1,2 --json",
+        "benchmark " + kCity + " --planners RRTConnect --runs 1 --time-limit 5s",
+        "benchmark " + kCity + " --planners RRTConnect --runs 1 --time-limit 5s --json",
+        "--help",
+        "plan --help",
+        "--version",
+        "--man",
+        "--completion bash"};
     for (const std::string& each : calls)
     {
         const Outcome full = call(each + " >/dev/full");
         EXPECT_EQ(full.status, 2) << each;
-        EXPECT_NE(full.err.find("specplan: standard output: cannot be written"),
-                  std::string::npos)
+        EXPECT_NE(full.err.find("specplan: standard output: cannot be written"), std::string::npos)
             << each << ": " << full.err;
         const Outcome closed = call(each + " >&-");
         EXPECT_EQ(closed.status, 2) << each;
-        EXPECT_NE(closed.err.find("specplan: standard output: cannot be written"),
-                  std::string::npos)
+        EXPECT_NE(closed.err.find("specplan: standard output: cannot be written"), std::string::npos)
             << each << ": " << closed.err;
     }
     const Outcome path = call("plan " + kCity + " --path /dev/full");
@@ -176,7 +174,8 @@ TEST_F(Outputs, FilesThatWouldBeLostAreRefused)
         {"plan " + map + " --svg " + map, "--svg: " + folder_ / "city-64.map" + " is an input; expected another file"},
         {"plan " + map + " --path " + file("link"), "--path: " + folder_ / "link" + " is an input"},
         {"plan " + map + " --path " + file("twin"), "--path: " + folder_ / "twin" + " is an input"},
-        {"plan " + map + " --path " + file("city-64.map.scen"), "--path: " + folder_ / "city-64.map.scen" + " is an input"},
+        {"plan " + map + " --path " + file("city-64.map.scen"),
+         "--path: " + folder_ / "city-64.map.scen" + " is an input"},
         {"plan - --scen " + file("city-64.map.scen") + " --path " + map + " <" + map, "city-64.map is an input"},
         {speedup + "--csv " + map, "--csv: " + folder_ / "city-64.map" + " is an input"},
         {"benchmark " + map + " --planners RRT --log " + map, "--log: " + folder_ / "city-64.map" + " is an input"},
@@ -192,7 +191,7 @@ TEST_F(Outputs, FilesThatWouldBeLostAreRefused)
         {"speedup - - <" + map, "standard input: expected once"}};
     for (const Bad& each : bad)
     {
-        const Outcome outcome = call(each.arguments);
+        const Outcome outcome = shell("cd " + file("") + " && \"$SPECPLAN\" " + each.arguments);
         EXPECT_EQ(outcome.status, 2) << each.arguments;
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(linesOf(outcome.err), 1U) << outcome.err;
@@ -201,15 +200,16 @@ TEST_F(Outputs, FilesThatWouldBeLostAreRefused)
     const Outcome same = call("plan " + map + " --path " + file("out") + " >" + file("out"));
     EXPECT_EQ(same.status, 2);
     EXPECT_NE(same.err.find("out is where standard output goes; expected another file, or -"), std::string::npos);
+    EXPECT_EQ(folder_.files(), 5) << "map, scenario, link, twin, and the shell's out";
     EXPECT_EQ(fs::file_size(folder_ / "city-64.map"), fs::file_size(kCity));
 }
 
 TEST_F(Outputs, EmptyValuesAreRefused)
 {
-    const std::vector<std::string> options{"--svg",        "--html",        "--trace",     "--path",    "--planner",
-                                           "--time-limit", "--check-latency", "--check-busy", "--threads", "--weight",
-                                           "--index",      "--policy",      "--scen",      "--start",   "--predict",
-                                           "--cost",       "--evaluation",  "--executor",  "--lookahead"};
+    const std::vector<std::string> options{"--svg",        "--html",          "--trace",      "--path",     "--planner",
+                                           "--time-limit", "--check-latency", "--check-busy", "--threads",  "--weight",
+                                           "--index",      "--policy",        "--scen",       "--start",    "--predict",
+                                           "--cost",       "--evaluation",    "--executor",   "--lookahead"};
     for (const std::string& option : options)
         for (const std::string& empty : {option + " \"\"", option + "="})
         {

@@ -258,10 +258,10 @@ TEST_F(RigidBodyCommand, AnInterruptKeepsTheRunsCompleted)
 TEST_F(RigidBodyCommand, AnInterruptKeepsAPathThatWasFound)
 {
     // Finer lattices have better paths for a long time.
-    const std::vector<std::string> arguments{"plan",          room_.folder.write("room.cfg", RoomFolder::planar()),
-                                             "--anytime",     "--json",
-                                             "--time-limit",  "600s",
-                                             "--path",        room_.folder / "path"};
+    const std::vector<std::string> arguments{"plan",         room_.folder.write("room.cfg", RoomFolder::planar()),
+                                             "--anytime",    "--json",
+                                             "--time-limit", "600s",
+                                             "--path",       room_.folder / "path"};
     nlohmann::json json;
     int status = 1;
     for (int seconds = 1; status != 0 && seconds < 60; seconds *= 2)

@@ -136,10 +136,11 @@ TEST_F(RigidBodyView, IsRefusedInOneLine)
         std::string complaint;
     };
     const std::string office = "plan '" + scene("office.cfg") + "' --html ";
-    const std::vector<Bad> bad{{"plan '" + scene("city-64.map") + "' --html " + page(),
-                                "specplan: --html is for rigid bodies (.cfg); --svg draws maps\n"},
-                               {office + "'" + folder_ / "none/a.html" + "'", "a.html: cannot be written: No such file or directory\n"},
-                               {office + "'" + folder_ / "." + "'", "cannot be written: it is a directory\n"}};
+    const std::vector<Bad> bad{
+        {"plan '" + scene("city-64.map") + "' --html " + page(),
+         "specplan: --html is for rigid bodies (.cfg); --svg draws maps\n"},
+        {office + "'" + folder_ / "none/a.html" + "'", "a.html: cannot be written: No such file or directory\n"},
+        {office + "'" + folder_ / "." + "'", "cannot be written: it is a directory\n"}};
     for (const Bad& each : bad)
     {
         const Outcome outcome = call(each.arguments);

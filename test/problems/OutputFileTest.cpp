@@ -176,6 +176,7 @@ TEST(IsSameFile, KnowsAFileByAllItsNames)
     for (const char* name : {"a", "./a", "link", "twin"})
         EXPECT_TRUE(isSameFile(file, folder / name)) << name;
     EXPECT_TRUE(isSameFile(folder / "none", folder / "./none"));
+    EXPECT_TRUE(isSameFile("nothing of this name", "./nothing of this name"));
     EXPECT_FALSE(isSameFile(file, folder / "none"));
     EXPECT_FALSE(isSameFile(file, folder.write("b", "x")));
     EXPECT_FALSE(isSameFile("/dev/null", "/dev/null")) << "what goes there is gone anyway";

@@ -7,10 +7,10 @@
 
 namespace specplan::problems
 {
-/// Writes a file. Links are followed. A file that is new, or regular and without other names, is written all or nothing:
-/// to a temporary beside it that takes its name at the end; permissions and owner stay. Devices, pipes and what else
-/// cannot be replaced are opened and written, as is a file in a folder where nothing may be added.
-/// \throws InputError naming the file and the reason if that cannot be done.
+/// Writes a file. Links are followed. A file that is new, or regular and without other names, is written all or
+/// nothing: to a temporary beside it that takes its name at the end; permissions and owner stay. Devices, pipes and
+/// what else cannot be replaced are opened and written, as is a file in a folder where nothing may be added. \throws
+/// InputError naming the file and the reason if that cannot be done.
 void writeFile(const std::string& path, const std::function<void(std::ostream&)>& write);
 
 /// \throws InputError if `writeFile` would not be able to write there. Leaves no trace.

@@ -11,8 +11,8 @@
 
 namespace specplan::problems
 {
-/// The whole of a file, or of what a pipe or device has. \throws InputError if it cannot be read, is a directory, or has
-/// more than 1 GiB.
+/// The whole of a file, or of what a pipe or device has. \throws InputError if it cannot be read, is a directory, or
+/// has more than 1 GiB.
 [[nodiscard]] std::string readText(const std::string& path);
 
 /// The same of a stream. \param name what messages call it.

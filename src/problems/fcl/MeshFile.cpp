@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/problems/fcl/MeshFile.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <ostream>
@@ -9,8 +10,10 @@
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
 
+#include "ColladaFile.h"
 #include "specplan/problems/InputError.h"
 #include "specplan/problems/OutputFile.h"
+#include "specplan/problems/TextFile.h"
 
 namespace specplan::problems
 {
@@ -44,6 +47,8 @@ Mesh readMesh(const std::string& path)
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error))
         throw InputError(path, 0, "expected a mesh file, found none");
+    if (path.ends_with(".dae") || path.ends_with(".DAE"))
+        inspectCollada(path, readText(path));
     Assimp::Importer importer;
     const aiScene* scene =
         importer.ReadFile(path, aiProcess_GenNormals | aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
@@ -54,6 +59,9 @@ Mesh readMesh(const std::string& path)
     collect(*scene, *scene->mRootNode, aiMatrix4x4(), mesh);
     if (mesh.triangles.empty())
         throw InputError(path, 0, "expected a mesh of triangles, found none");
+    for (const auto& triangle : mesh.triangles)
+        if (std::ranges::any_of(triangle, [&mesh](std::uint32_t corner) { return corner >= mesh.vertices.size(); }))
+            throw InputError(path, 0, "expected triangles between the mesh's vertices, found another corner");
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
         if (!mesh.vertices[i].allFinite())
             throw InputError(path, 0, concat("expected finite coordinates, but those of vertex ", i, " are not"));

@@ -129,9 +129,9 @@ void RigidBodySetup::warnOfSize()
 {
     const Eigen::AlignedBox3d robot = boundsOf(robot_);
     if (robot.diagonal().norm() > worldBounds_.diagonal().norm())
-        problem_.warnings.push_back(printable(concat(problem_.file, ':', problem_.robot.line, ": the robot, ",
-                                                     sizeText(robot), ", is larger than the world, ",
-                                                     sizeText(worldBounds_), "; are both in the same unit?")));
+        problem_.warnings.push_back(
+            printable(concat(problem_.file, ':', problem_.robot.line, ": the robot, ", sizeText(robot),
+                             ", is larger than the world, ", sizeText(worldBounds_), "; are both in the same unit?")));
 }
 
 void RigidBodySetup::findBounds()

@@ -7,6 +7,7 @@
 #include <bit>
 #include <limits>
 
+#include "Replaced.h"
 #include "RigidFixture.h"
 #include "specplan/problems/InputError.h"
 
@@ -88,6 +89,29 @@ TEST(ReadMesh, ReadsStl)
 {
     const TemporaryFolder folder;
     EXPECT_EQ(readMesh(folder.write("a.stl", stlWith(-2.0F))).triangles.size(), 1U);
+}
+
+/// What crashes Assimp 5.2, or keeps it busy for ever.
+TEST(ReadMesh, LooksOverCollada)
+{
+    const TemporaryFolder folder;
+    const std::string good = collada("Y_UP", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1");
+    const auto complaint = [&](const std::string& what, const std::string& by)
+    {
+        const std::string file = folder.write("a.dae", test::replaced(good, what, by));
+        return complaintOf<InputError>([&] { static_cast<void>(readMesh(file)); }).substr(file.size());
+    };
+    EXPECT_EQ(complaint("count=\"9\"", "count=\"0\""),
+              ":5: expected a mesh, but an accessor reaches to number 9 of an array of 0");
+    EXPECT_EQ(complaint("count=\"9\"", "count=\"x\""), ":4: expected a mesh, but its count is 'x', not a whole number");
+    EXPECT_EQ(complaint("count=\"3\" stride", "count=\"4\" stride"),
+              ":5: expected a mesh, but an accessor reaches to number 12 of an array of 9");
+    EXPECT_EQ(complaint("stride=\"3\"", "stride=\"4000000000\""),
+              ":5: expected a mesh, but an accessor reaches to number 12000000000 of an array of 9");
+    EXPECT_EQ(complaint("<p>0 1 2", "<p>0 1x 2"), ":8: expected a mesh, but <p> has '1x' among its whole numbers");
+    EXPECT_EQ(complaint("<p>0 1 2", "<p>0 1 \x02"), ":8: expected a mesh, but <p> has '\\x02' among its whole numbers");
+    EXPECT_EQ(readMesh(folder.write("b.dae", test::replaced(good, "<p>", "<!-- <p>x</p> --><p>"))).triangles.size(),
+              1U);
 }
 
 TEST(ReadMesh, RefusesBadFilesInOneLine)
