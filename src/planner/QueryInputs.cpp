@@ -66,6 +66,16 @@ double thresholdOf(const ob::Goal& goal)
 }
 }  // namespace
 
+std::string oddValue(const ob::StateSpace& space, const ob::State* state)
+{
+    std::vector<double> values;
+    space.copyToReals(values, state);
+    const auto odd = std::ranges::find_if(values, [](double value) { return !std::isfinite(value); });
+    if (odd == values.end())
+        return "";
+    return "value " + std::to_string(odd - values.begin()) + " is " + std::to_string(*odd) + ", not a finite number";
+}
+
 bool isMadeOfStates(const ob::Goal& goal)
 {
     return goal.hasType(ob::GOAL_STATE) || goal.hasType(ob::GOAL_STATES);
@@ -141,13 +151,9 @@ void QueryInputs::rememberGoals()
 
 bool QueryInputs::isUsable(const ob::State* state, const char* kind, std::size_t number)
 {
-    std::string reason;
-    std::vector<double> values;
-    si_.getStateSpace()->copyToReals(values, state);
-    const auto odd = std::ranges::find_if(values, [](double value) { return !std::isfinite(value); });
-    if (odd != values.end())
-        reason = "its value " + std::to_string(odd - values.begin()) + " is " + std::to_string(*odd) +
-                 ", not a finite number";
+    std::string reason = oddValue(*si_.getStateSpace(), state);
+    if (!reason.empty())
+        reason = "its " + reason;
     else if (!si_.satisfiesBounds(state))
         reason = "it is outside the bounds";
     else

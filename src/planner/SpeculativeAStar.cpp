@@ -83,7 +83,7 @@ void SpeculativeAStar::setup()
 /// Tells of settings that do not fit the space before a search does.
 void SpeculativeAStar::warnOfSettings() const
 {
-    if (pdef_->getStartStateCount() == 0)
+    if (pdef_->getStartStateCount() == 0 || !planner::oddValue(*si_->getStateSpace(), pdef_->getStartState(0)).empty())
         return;
     try
     {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <ompl/base/PlannerTerminationCondition.h>
@@ -89,6 +90,9 @@ private:
     mutable bool growing_ = false;       ///< that number was seen to grow, or none could be had yet
     std::uint64_t checksRun_ = 0;
 };
+
+/// The first value of a state that is not a finite number, in words; empty if all are.
+[[nodiscard]] std::string oddValue(const ompl::base::StateSpace& space, const ompl::base::State* state);
 
 /// Whether the goal is made up of states, which may become more, rather than a region of which states are samples.
 [[nodiscard]] bool isMadeOfStates(const ompl::base::Goal& goal);
