@@ -157,6 +157,7 @@ void addArms(std::vector<GoldenRun>& runs)
             PlannerSettings settings;
             settings.evaluation = evaluation;
             settings.stopAtFirstPath = true;
+            settings.weight = links > 4 ? 10.0 : 0.0;
             add(runs, "arm-" + std::to_string(links), [links] { return makeArm(links); }, settings, {1, 8, 32});
         }
 }
