@@ -5,7 +5,9 @@
 #include <cmath>
 #include <typeinfo>
 
+#include <ompl/base/objectives/MechanicalWorkOptimizationObjective.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/objectives/StateCostIntegralObjective.h>
 #include <ompl/util/Exception.h>
 
 namespace specplan::planner
@@ -17,6 +19,21 @@ using lattice::NodeId;
 bool isPathLength(const ob::OptimizationObjective& objective)
 {
     return typeid(objective) == typeid(ob::PathLengthOptimizationObjective);
+}
+
+bool asksNoChecker(const ob::OptimizationObjective& objective)
+{
+    const std::type_info& type = typeid(objective);
+    if (type == typeid(ob::MultiOptimizationObjective))
+    {
+        const auto& several = static_cast<const ob::MultiOptimizationObjective&>(objective);
+        for (std::size_t i = 0; i < several.getObjectiveCount(); ++i)
+            if (!asksNoChecker(*several.getObjective(static_cast<unsigned>(i))))
+                return false;
+        return true;
+    }
+    return type == typeid(ob::PathLengthOptimizationObjective) ||
+           type == typeid(ob::MechanicalWorkOptimizationObjective) || type == typeid(ob::StateCostIntegralObjective);
 }
 
 ObjectiveCosts::ObjectiveCosts(const ob::SpaceInformation& si, const ob::OptimizationObjective& objective,

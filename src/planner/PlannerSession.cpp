@@ -17,6 +17,7 @@
 #include "specplan/planner/MakeExecutor.h"
 #include "specplan/planner/OmplCompat.h"
 #include "specplan/util/Hash.h"
+#include "specplan/util/Processors.h"
 
 namespace specplan::planner
 {
@@ -100,11 +101,16 @@ std::shared_ptr<validity::BudgetShare> PlannerSession::openShare()
     return share;
 }
 
+PlannerSession::PlannerSession(ob::SpaceInformationPtr spaceInformation)
+    : si(std::move(spaceInformation)), processors_(util::availableProcessors()), inputs_(*si)
+{
+}
+
 void PlannerSession::ensureExecutor()
 {
     unsigned threads = settings.numThreads;
     if (threads == 0)
-        threads = std::max(std::thread::hardware_concurrency(), 1U);
+        threads = processors_;
     if (openShare())
         threads = std::min(threads, budget->threads());
     if (executor && executorSettings.numThreads == threads && executorSettings.executor == settings.executor &&
@@ -117,6 +123,7 @@ void PlannerSession::ensureExecutor()
     if (trace)
         tracer = std::make_unique<TracingChecker>(*checker, threads, trace, settings.executor == "virtual");
     executor = makeExecutor(settings, threads, *checker, tracer.get(), share);
+    checker->setStopSignal(&executor->stopSignal());
     executorSettings = settings;
     executorSettings.numThreads = threads;
     executorTrace = trace;
@@ -387,7 +394,7 @@ SearchStatus PlannerSession::search(const ob::Goal& goal, const ob::PlannerTermi
                 publishCounts();
                 goalCameUp = goalsCameUp(goal);
                 searchFailed_ = false;  // between two expansions nothing is half done
-                const bool stops = goalCameUp || isOutOfPatience() || ptc();
+                const bool stops = goalCameUp || isOutOfPatience() || query->broker().isInterrupted();
                 searchFailed_ = true;
                 return stops;
             });

@@ -12,7 +12,7 @@ namespace specplan::validity
 namespace
 {
 /// How long a wait may last before the interrupt is asked again.
-constexpr std::chrono::milliseconds kPatience{50};
+constexpr std::chrono::milliseconds kPatience{2};
 /// What it costs to wake a thread that has not done anything yet, about. A check that takes longer is handed out all
 /// the same.
 constexpr double kWake = 100e-6;
@@ -93,6 +93,7 @@ bool Broker::shouldRunHere(CheckId check) const
 /// Runs those missing checks in this thread for which that is the better way, and takes them off the list.
 bool Broker::runHere()
 {
+    StopSignal& stop = executor_.stopSignal();
     double unasked = 0.0;  // seconds of checks since the interrupt was asked
     std::size_t left = 0;
     for (std::size_t i = 0; i < missing_.size(); ++i)
@@ -106,14 +107,16 @@ bool Broker::runHere()
             missing_[left++] = check;
             continue;
         }
-        if (unasked > std::chrono::duration<double>(kPatience).count() && interrupt_)
+        if (stop.isSet() || unasked > StopSignal::kInterval)
         {
-            if (interrupt_())
+            if (stop.ask())
                 return false;
             unasked = 0.0;
         }
         if (!entry.failed)
             recordHere(check, entry);
+        if (stop.isSet() && stop.ask())
+            return false;
         if (entry.failed && left == 0)
         {
             missing_.clear();  // what comes after is not needed: the caller rethrows
@@ -122,7 +125,8 @@ bool Broker::runHere()
         unasked += static_cast<double>(entry.seconds);
     }
     missing_.resize(left);
-    return true;
+    // Others begin only if the interrupt has been asked after what was run here.
+    return left == 0 || unasked <= StopSignal::kInterval || !stop.ask();
 }
 
 void Broker::recordHere(CheckId check, Entry& entry)
@@ -169,29 +173,20 @@ bool Broker::waitForMissing()
     wait.own = submitMissing();
     if (awaited_ > 0 || wait.own)
         askSource();
-    auto interrupted = [this, lastAsked = steadySeconds()]() mutable
-    {
-        if (!interrupt_ || steadySeconds() - lastAsked < std::chrono::duration<double>(kPatience).count())
-            return false;
-        lastAsked = steadySeconds();
-        return interrupt_();
-    };
+    if (stops())
+        return false;
     if (wait.own)
-    {
         runOwn(*std::exchange(wait.own, std::nullopt));
-        if (interrupted())
-            return false;
-    }
     while (awaited_ > 0 || (barrier_ && executor_.busy()))
     {
-        if (interrupted())
+        if (stops())
             return false;
         collect(kPatience);
         // Also when the wait is over: workers go on while the search does.
         if (source_ != nullptr && source_->keepsAsking() && !barrier_)
             askSource();
     }
-    return true;
+    return !stops();  // what was broken off is not awaited any more, and has no verdict
 }
 
 /// \return a check that this thread is to run itself, rather than wait while others do.
@@ -234,7 +229,7 @@ void Broker::runOwn(CheckId check)
 {
     runAndTell(check);
     Entry& entry = table_[check];
-    if (entry.failed)
+    if (!isKnown(entry.verdict))
         return;
     ++statistics_.usedInline;
     noteUse(entry);
@@ -348,7 +343,7 @@ void Broker::drop(std::span<const CheckId> checks)
 bool Broker::prefetch(CheckId check)
 {
     Entry& entry = table_[check];
-    if (entry.verdict != Verdict::Unknown || entry.failed || executor_.runsInline())
+    if (entry.verdict != Verdict::Unknown || entry.failed || executor_.runsInline() || executor_.stopSignal().isSet())
         return false;
     if (allCheap() && executor_.canRunHere())
         return false;  // the search will run it faster itself
@@ -396,7 +391,7 @@ void Broker::runAndTell(CheckId check)
 {
     Completion completion = executor_.runHere(check);
     record(completion);
-    if (sourceListens_ && source_ != nullptr && !table_[check].failed)
+    if (sourceListens_ && source_ != nullptr && isKnown(table_[check].verdict))
         source_->learned(check, completion.valid);
 }
 
@@ -431,6 +426,12 @@ void Broker::record(Completion& completion)
 {
     const CheckId check = completion.check;
     Entry& entry = table_[check];
+    if (completion.brokenOff)
+    {
+        awaited_ -= entry.awaited ? 1 : 0;
+        drop({&check, 1});
+        return;
+    }
     ++statistics_.checksRun;
     statistics_.runSeconds += completion.seconds;
     secondsEver_ += completion.seconds;
@@ -508,6 +509,7 @@ void Broker::settle()
     {
         try
         {
+            executor_.stopSignal().askNowAndThen();  // long motions may be broken off
             collect(kPatience);
         }
         catch (...)
@@ -520,5 +522,6 @@ void Broker::settle()
         table_[check] = Entry{};
     errors_.clear();
     leftAt_.reset();
+    executor_.stopSignal().release();
 }
 }  // namespace specplan::validity

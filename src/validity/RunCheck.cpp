@@ -3,6 +3,8 @@
 
 #include <ctime>
 
+#include "specplan/validity/BrokenOff.h"
+
 namespace specplan::validity
 {
 double steadySeconds() noexcept
@@ -32,6 +34,10 @@ Completion runCheckUnmeasured(Checker& checker, CheckId check, unsigned worker) 
     try
     {
         completion.valid = checker.check(check, worker);
+    }
+    catch (const BrokenOff&)
+    {
+        completion.brokenOff = true;
     }
     catch (...)
     {

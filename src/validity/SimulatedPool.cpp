@@ -78,7 +78,7 @@ void SimulatedPool::submit(CheckId check, Urgency urgency)
     const Call call(*this);
     advanceTo(now_ + timing_.handOver);
     (urgency == Urgency::Demanded ? demanded_ : speculative_).push_back(check);
-    if (idle_.empty())
+    if (idle_.empty() || stop_.askNowAndThen())
         return;
     const bool sleeps = now_ - idle_.back() > PoolRules::kWorkerSpins;
     idle_.pop_back();
@@ -102,9 +102,9 @@ void SimulatedPool::collect(std::vector<Completion>& out, std::chrono::milliseco
     const Call call(*this);
     if (finished_.empty() && patience.count() > 0)
     {
-        if (searchThreadWorks() && !(demanded_.empty() && speculative_.empty()))
+        if (searchThreadWorks() && !(demanded_.empty() && speculative_.empty()) && !stop_.askNowAndThen())
             out.push_back(runInSearchThread(popQueue()));
-        else
+        else if (!running_.empty())
             waitForResult();
     }
     std::ranges::move(finished_, std::back_inserter(out));
@@ -142,7 +142,7 @@ void SimulatedPool::advanceTo(double time)
         const double end = running_.back().end;
         finished_.push_back(std::move(running_.back().completion));
         running_.pop_back();
-        if (demanded_.empty() && speculative_.empty())
+        if ((demanded_.empty() && speculative_.empty()) || stop_.askNowAndThen())
             idle_.push_back(end);
         else
             begin(end);

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "specplan/util/Processors.h"
 #include "specplan/validity/TakeUnwanted.h"
 
 namespace specplan::validity
@@ -64,9 +65,11 @@ void spin(double seconds, const Ready& ready)
 ThreadPoolExecutor::ThreadPoolExecutor(Checker& checker, unsigned workers, std::shared_ptr<BudgetShare> share)
     : checker_(checker),
       workers_(std::max(workers, 1U)),
-      processors_(std::max(std::thread::hardware_concurrency(), 1U)),
+      processors_(util::availableProcessors()),
       share_(std::move(share)),
-      threadLimit_(workers_)
+      threadLimit_(threadsToRun()),
+      numberTaken_(workers_),
+      lastIsReserved_(searchThreadShouldWork())
 {
     threads_.reserve(workers_);
 }
@@ -79,6 +82,7 @@ ThreadPoolExecutor::~ThreadPoolExecutor()
         demanded_.clear();
         speculative_.clear();
     }
+    stop_.end();
     workAvailable_.notify_all();
     for (std::thread& thread : threads_)
         thread.join();
@@ -92,7 +96,7 @@ void ThreadPoolExecutor::startThreads()
 
 Completion ThreadPoolExecutor::runHere(CheckId check)
 {
-    // The last worker's number belongs to the search thread, or to a thread that has nothing to do now.
+    // The last number belongs to the search thread, or nobody has one now.
     Completion completion = runner_.run(checker_, check, workers_ - 1);
     completion.here = true;
     learn(completion);
@@ -101,8 +105,7 @@ Completion ThreadPoolExecutor::runHere(CheckId check)
 
 bool ThreadPoolExecutor::worksHere() const noexcept
 {
-    // It takes the number of the last worker, whose thread must then not exist.
-    return PoolRules::searchThreadWorks(usedWorkers()) && threads_.size() < workers_;
+    return searchThreadShouldWork() && !lastNumberTaken_;
 }
 
 unsigned ThreadPoolExecutor::room() const noexcept
@@ -119,6 +122,7 @@ bool ThreadPoolExecutor::runsDry()
 void ThreadPoolExecutor::submit(CheckId check, Urgency urgency)
 {
     startThreadFor(inHand_ + 1);
+    stop_.share(true);
     searchProcessor_.store(currentProcessor(), std::memory_order_relaxed);
     bool wake = false;
     {
@@ -136,7 +140,7 @@ void ThreadPoolExecutor::submit(CheckId check, Urgency urgency)
 
 void ThreadPoolExecutor::startThreadFor(std::size_t inHand)
 {
-    const std::size_t wanted = std::min<std::size_t>(inHand, worksHere() ? usedWorkers() - 1 : usedWorkers());
+    const std::size_t wanted = std::min<std::size_t>(inHand, threadsToRun());
     if (threads_.size() >= wanted)
         return;
     try
@@ -174,7 +178,13 @@ void ThreadPoolExecutor::collect(std::vector<Completion>& out, std::chrono::mill
     }
     for (std::size_t i = before; i < out.size(); ++i)
         learn(out[i]);
-    inHand_ -= out.size() - before;
+    noteHandedBack(out.size() - before);
+}
+
+void ThreadPoolExecutor::noteHandedBack(std::size_t count)
+{
+    inHand_ -= count;
+    stop_.share(inHand_ > 0);
 }
 
 void ThreadPoolExecutor::take(std::vector<Completion>& out)
@@ -187,7 +197,7 @@ void ThreadPoolExecutor::take(std::vector<Completion>& out)
 /// Runs a queued check in the search thread, if that is a worker. Leaves the lock as it found it.
 bool ThreadPoolExecutor::workInstead(Lock& lock, std::vector<Completion>& out)
 {
-    if (!worksHere() || (demanded_.empty() && speculative_.empty()))
+    if (!worksHere() || (demanded_.empty() && speculative_.empty()) || stop_.isSet())
         return false;
     const CheckId check = popQueue();
     lock.unlock();
@@ -215,20 +225,23 @@ void ThreadPoolExecutor::learn(const Completion& completion)
     if (!completion.measured)
         return;
     if (completion.busyShare >= 0.0 && completion.seconds > kTellingSeconds)
-    {
         busyChecks_.add(completion.busyShare > kBusyShare);
-        setThreadLimit(usedWorkers() - (worksHere() ? 1 : 0));
-    }
     supply_.learn(completion.check, completion.seconds);
+    const double motion = checker_.stopsInside() ? 0.0 : supply_.mean(1);
+    longChecks_ = PoolRules::isLong(std::max(supply_.mean(0), motion), longChecks_);
+    adaptThreads();
 }
 
-void ThreadPoolExecutor::setThreadLimit(unsigned limit)
+/// Lets as many threads run as there should be now.
+void ThreadPoolExecutor::adaptThreads()
 {
+    const unsigned limit = threadsToRun();
     if (limit == threadLimit_.load(std::memory_order_relaxed))
         return;
     {
         const std::lock_guard lock(mutex_);
         threadLimit_ = limit;
+        lastIsReserved_ = searchThreadShouldWork();
         sleepers_ = 0;
     }
     workAvailable_.notify_all();
@@ -246,7 +259,7 @@ void ThreadPoolExecutor::cancelQueued(std::vector<CheckId>& dropped)
         for (auto& count : queued_)
             count.store(0, std::memory_order_relaxed);
     }
-    inHand_ -= dropped.size() - before;
+    noteHandedBack(dropped.size() - before);
 }
 
 void ThreadPoolExecutor::cancelUnwanted(const std::function<bool(CheckId)>& isWanted, std::vector<CheckId>& dropped)
@@ -260,7 +273,7 @@ void ThreadPoolExecutor::cancelUnwanted(const std::function<bool(CheckId)>& isWa
         for (std::size_t i = before; i < dropped.size(); ++i)
             queued_[kindOf(dropped[i])].fetch_sub(1, std::memory_order_relaxed);
     }
-    inHand_ -= dropped.size() - before;
+    noteHandedBack(dropped.size() - before);
 }
 
 double ThreadPoolExecutor::now() const noexcept
@@ -282,6 +295,25 @@ bool ThreadPoolExecutor::hasWork() const
     return !(demanded_.empty() && speculative_.empty()) && running_ < threadLimit_;
 }
 
+unsigned ThreadPoolExecutor::takeNumber(unsigned worker)
+{
+    const auto isFree = [this](unsigned number)
+    { return !numberTaken_[number] && !(lastIsReserved_ && number == workers_ - 1); };
+    unsigned number = worker;
+    if (!isFree(number))
+        for (number = 0; !isFree(number);)
+            ++number;
+    numberTaken_[number] = true;
+    lastNumberTaken_ = lastNumberTaken_ || number == workers_ - 1;
+    return number;
+}
+
+void ThreadPoolExecutor::giveNumberBack(unsigned number)
+{
+    numberTaken_[number] = false;
+    lastNumberTaken_ = lastNumberTaken_ && number != workers_ - 1;
+}
+
 void ThreadPoolExecutor::work(unsigned worker)
 {
     InlineRunner runner(true);
@@ -292,14 +324,23 @@ void ThreadPoolExecutor::work(unsigned worker)
             waitForWork(lock, !isNew);
         if (ending_)
             return;
+        if (!stop_.allows())
+        {
+            lock.unlock();
+            stop_.waitToBegin();
+            lock.lock();
+            continue;
+        }
         const CheckId check = popQueue();
+        const unsigned number = takeNumber(worker);
         ++running_;
 
         lock.unlock();
-        Completion completion = runner.run(checker_, check, worker);
+        Completion completion = runner.run(checker_, check, number);
         lock.lock();
 
         --running_;
+        giveNumberBack(number);
         finished_.push_back(std::move(completion));
         done_.fetch_add(1, std::memory_order_relaxed);
         if (std::exchange(searchWaits_, false))

@@ -81,7 +81,7 @@ void VirtualExecutor::cancelUnwanted(const std::function<bool(CheckId)>& isWante
 void VirtualExecutor::startQueued()
 {
     for (std::deque<CheckId>* queue : {&demanded_, &speculative_})
-        while (running_.size() < workers_ && !queue->empty())
+        while (running_.size() < workers_ && !queue->empty() && !stop_.askNowAndThen())
         {
             const CheckId check = queue->front();
             queue->pop_front();

@@ -145,6 +145,11 @@ public:
         glances_ = glances;
     }
 
+    [[nodiscard]] bool hasGlances() const noexcept
+    {
+        return glances_;
+    }
+
     /// The glance of a motion, if it has one.
     [[nodiscard]] std::optional<MotionId> glanceOf(MotionId motion) const noexcept;
 

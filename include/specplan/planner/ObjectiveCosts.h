@@ -17,6 +17,9 @@ namespace specplan::planner
 /// Whether the objective is exactly path length, which the lattice knows itself.
 [[nodiscard]] bool isPathLength(const ompl::base::OptimizationObjective& objective);
 
+/// Whether the objective is one of OMPL's own that never ask the state validity checker.
+[[nodiscard]] bool asksNoChecker(const ompl::base::OptimizationObjective& objective);
+
 /// Costs by an objective of OMPL: of motions, evaluated in the checks, and of paths, by the objective's own algebra.
 ///
 /// The search wants numbers of which the smaller is the better one; an objective that prefers larger ones is negated.
@@ -54,6 +57,12 @@ public:
     [[nodiscard]] bool adds() const noexcept
     {
         return adds_;
+    }
+
+    /// Whether workers may call the objective at once although each has a checker of its own.
+    [[nodiscard]] bool asksNoChecker() const
+    {
+        return planner::asksNoChecker(objective_);
     }
 
     void makeRoom(std::size_t motions) override;

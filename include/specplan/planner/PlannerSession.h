@@ -43,10 +43,7 @@ public:
         std::atomic<double> bestCost{std::numeric_limits<double>::infinity()};
     };
 
-    explicit PlannerSession(ompl::base::SpaceInformationPtr spaceInformation)
-        : si(std::move(spaceInformation)), inputs_(*si)
-    {
-    }
+    explicit PlannerSession(ompl::base::SpaceInformationPtr spaceInformation);
 
     /// Starts threads ahead of the first search.
     void prepare();
@@ -143,6 +140,7 @@ private:
     [[nodiscard]] std::uint64_t expansions() const;
     [[nodiscard]] std::uint64_t orderHash() const;
 
+    const unsigned processors_;  ///< that there are for this process
     QueryInputs inputs_;
     bool inputsChanged_ = false;   ///< starts or goals have come that the search was not begun with
     std::size_t sampleLimit_ = 0;  ///< samples to be taken from a goal region so far

@@ -44,7 +44,8 @@ class PlannerSession;
 ///
 /// Threads: the planner's members are for one thread at a time. During solve() the state validity checker is called
 /// from up to `num_threads` threads, as OMPL asks of checkers; give one for each worker with
-/// setStateValidityCheckerAllocator if yours cannot do that. No check runs outside solve().
+/// setStateValidityCheckerAllocator if yours cannot do that. docs/thread-safety.md says the same of motion validators,
+/// objectives, goals, spaces and conditions. No check runs outside solve().
 class SpeculativeAStar : public ompl::base::Planner
 {
 public:
@@ -60,10 +61,12 @@ public:
     ~SpeculativeAStar() override;
 
     /// Searches until a goal is reached, none can be, or `ptc` says stop; a later call goes on. `ptc` is evaluated in
-    /// the calling thread only, before each expansion and each motion's check (and now and then while an expansion
-    /// takes longer than 50 ms). \return EXACT_SOLUTION; APPROXIMATE_SOLUTION or TIMEOUT if stopped; INFEASIBLE (ABORT
-    /// before OMPL 1.6) if no goal can be reached on this lattice; INVALID_START; INVALID_GOAL; UNRECOGNIZED_GOAL_TYPE;
-    /// CRASH if a check threw, or the space or the settings are refused: the report says why.
+    /// the calling thread only, before each expansion and each motion's check, and every few milliseconds while either
+    /// lasts. Then no check begins any more, and motions are broken off between two states: the call returns within the
+    /// check of one state and 5 ms. Motion validators of one's own, and objectives, cannot be broken off. \return
+    /// EXACT_SOLUTION; APPROXIMATE_SOLUTION or TIMEOUT if stopped; INFEASIBLE (ABORT before OMPL 1.6) if no goal can be
+    /// reached on this lattice; INVALID_START; INVALID_GOAL; UNRECOGNIZED_GOAL_TYPE; CRASH if a check threw, or
+    /// the space or the settings are refused: the report says why.
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
     using ompl::base::Planner::solve;
 

@@ -33,6 +33,11 @@ public:
 
     bool check(validity::CheckId check, unsigned worker) override;
 
+    [[nodiscard]] bool stopsInside() const noexcept override
+    {
+        return checker_.stopsInside();
+    }
+
     /// Duration of the last check of a replay.
     [[nodiscard]] double lastSeconds() const noexcept
     {

@@ -49,15 +49,22 @@ public:
         warmUp_ = seconds;
     }
 
-    /// Asked now and then during long waits; once it returns true, `demand` gives up. Empty for never.
+    /// Asked now and then during waits and long checks; once it returns true, `demand` gives up, and no check begins
+    /// until `settle` or `setInterrupt` is called. Empty for never.
     void setInterrupt(std::function<bool()> interrupt)
     {
-        interrupt_ = std::move(interrupt);
+        executor_.stopSignal().watch(std::move(interrupt));
+    }
+
+    /// Asks right now. \return whether to stop. \throws what the interrupt throws.
+    [[nodiscard]] bool isInterrupted()
+    {
+        return executor_.stopSignal().ask();
     }
 
     /// Makes all these verdicts known. Checks that are missing run at the same time where the executor has workers.
-    /// \return false if interrupted; the call may be repeated later and loses nothing.
-    /// \throws what the first of these checks, in the order given, threw. After `settle` asking again runs that
+    /// \return false if interrupted; the call may be repeated later, and loses nothing but motions that were broken
+    /// off. \throws what the first of these checks, in the order given, threw. After `settle` asking again runs that
     /// check again.
     [[nodiscard]] bool demand(std::span<const CheckId> checks);
 
@@ -65,10 +72,11 @@ public:
     /// they do not. `demand` does the same when all is known.
     void feed();
 
-    /// Whether workers have nothing left to begin: a source that is thinking should come to an end. Cheap.
+    /// Whether workers have nothing left to begin, or the search is to stop: a source that is thinking should come to
+    /// an end. Cheap.
     [[nodiscard]] bool workersRunDry()
     {
-        return executor_.runsDry();
+        return executor_.runsDry() || executor_.stopSignal().askNowAndThen();
     }
 
     /// Hands a check out ahead of demand.
@@ -109,6 +117,11 @@ private:
     using Entry = VerdictTable::Entry;
     class HandOverTimer;
 
+    /// Whether to stop; asks now and then. \throws what the interrupt throws.
+    [[nodiscard]] bool stops()
+    {
+        return executor_.stopSignal().askNowAndThen() && executor_.stopSignal().ask();
+    }
     [[nodiscard]] bool demandMissing(std::span<const CheckId> checks);
     [[nodiscard]] bool runHere();
     [[nodiscard]] bool shouldRunHere(CheckId check) const;
@@ -159,7 +172,6 @@ private:
     unsigned chances_ = 0;          ///< how often it could have since
     double secondsEver_ = 0.0;      ///< of all checks, in all queries
     bool thought_ = false;          ///< what is handed out now the source had to think of
-    std::function<bool()> interrupt_;
     VerdictTable table_;
     std::uint16_t query_ = 1;
     std::array<CostMeter, 2> cost_;                 ///< of states and of motions, which cost different amounts

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "specplan/validity/Checker.h"
+#include "specplan/validity/StopSignal.h"
 
 namespace specplan::validity
 {
@@ -19,6 +20,7 @@ struct Completion
     bool here = false;         ///< whether the search thread ran it
     bool measured = true;      ///< whether `seconds` is this check's own duration, not that of one before it
     double busyShare = -1.0;   ///< share of that time spent on a processor; negative if not measured
+    bool brokenOff = false;    ///< the check was told to stop and has no verdict
     std::exception_ptr error;  ///< what the check threw; `valid` means nothing then
 };
 
@@ -30,11 +32,23 @@ enum class Urgency
 
 /// Runs checks: in the calling thread, in a pool, or on a virtual clock.
 ///
+/// Nothing begins while the stop signal is set: what is queued then stays there until it is taken back or the signal is
+/// released.
+///
 /// Threads: every member is for the search thread, which also is the one that receives the completions.
 class Executor
 {
 public:
+    Executor() = default;
     virtual ~Executor() = default;
+    Executor(const Executor&) = delete;
+    Executor& operator=(const Executor&) = delete;
+
+    /// Tells those who run checks to stop.
+    [[nodiscard]] StopSignal& stopSignal() noexcept
+    {
+        return stop_;
+    }
 
     /// How many checks may run at once, at least 1.
     [[nodiscard]] virtual unsigned workers() const noexcept = 0;
@@ -88,5 +102,8 @@ public:
 
     /// Seconds on the executor's clock: real time, or virtual time.
     [[nodiscard]] virtual double now() const noexcept = 0;
+
+protected:
+    StopSignal stop_;
 };
 }  // namespace specplan::validity

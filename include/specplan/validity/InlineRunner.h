@@ -33,6 +33,11 @@ public:
         }
         const double cpu = sampled ? threadCpuSeconds() : 0.0;
         Completion completion = runCheck(checker, check, worker);
+        if (completion.brokenOff)
+        {
+            completion.measured = false;
+            return completion;
+        }
         if (sampled && completion.seconds > kCheapSeconds)
             completion.busyShare = (threadCpuSeconds() - cpu) / completion.seconds;
         lastSeconds = completion.seconds;

@@ -29,6 +29,12 @@ public:
         all_.add(seconds);
     }
 
+    /// Mean duration of states (0) or motions (1); 0 if none is known.
+    [[nodiscard]] double mean(std::size_t kind) const noexcept
+    {
+        return durations_[kind].mean();
+    }
+
     /// How long the search was away, thinking.
     void learnThought(double seconds) noexcept
     {

@@ -22,7 +22,11 @@ namespace specplan::validity
 /// out of work, then sleep, and end with the executor.
 ///
 /// With few workers the search thread is one of them: instead of waiting it runs checks from the queue. With many it
-/// only hands out and collects, since in the time of one check so much comes back that the others would run dry.
+/// only hands out and collects, since in the time of one check so much comes back that the others would run dry; and so
+/// it does where checks are long, since it has to ask whether to stop.
+///
+/// Who runs a check holds a worker's number meanwhile: a thread its own, but the last number is the search thread's as
+/// long as that is a worker.
 ///
 /// Threads: the search thread owns the executor; workers share only what `mutex_` guards, and the atomic counters that
 /// tell when it is worth taking. A worker never touches verdicts, the lattice's growing parts or statistics: it runs
@@ -92,12 +96,26 @@ private:
         return busyChecks_.yes() ? std::min(workers_, processors_) : workers_;
     }
 
+    /// Whether the search thread should be a worker, and will be once its number is free.
+    [[nodiscard]] bool searchThreadShouldWork() const noexcept
+    {
+        return PoolRules::searchThreadWorks(usedWorkers()) && !longChecks_;
+    }
+
+    [[nodiscard]] unsigned threadsToRun() const noexcept
+    {
+        return usedWorkers() - (searchThreadShouldWork() ? 1 : 0);
+    }
+
     void startThreadFor(std::size_t inHand);
     void take(std::vector<Completion>& out);
     [[nodiscard]] bool workInstead(Lock& lock, std::vector<Completion>& out);
     void waitForResult(Lock& lock, std::chrono::milliseconds patience);
     void learn(const Completion& completion);
-    void setThreadLimit(unsigned limit);
+    void noteHandedBack(std::size_t count);
+    void adaptThreads();
+    [[nodiscard]] unsigned takeNumber(unsigned worker);
+    void giveNumberBack(unsigned number);
     [[nodiscard]] bool hasWork() const;
     [[nodiscard]] CheckId popQueue();
     [[nodiscard]] std::size_t queued() const noexcept
@@ -117,6 +135,7 @@ private:
     std::size_t inHand_ = 0;   ///< submitted and not collected
     Supply supply_;            ///< of checks in the queue
     MajorityVote busyChecks_;  ///< whether checks keep a processor busy
+    bool longChecks_ = false;  ///< whether they keep the search thread from asking whether to stop
     InlineRunner runner_;
     std::vector<std::thread> threads_;
 
@@ -125,6 +144,7 @@ private:
     std::atomic<std::size_t> done_{0};
     std::atomic<unsigned> threadLimit_;  ///< pool threads that may run a check now
     std::atomic<bool> ending_{false};
+    std::atomic<bool> lastNumberTaken_{false};  ///< by a pool thread
 
     std::atomic<int> searchProcessor_{-1};  ///< where the search thread last ran, as it says: a hint
 
@@ -135,8 +155,10 @@ private:
     std::deque<CheckId> demanded_;
     std::deque<CheckId> speculative_;
     std::vector<Completion> finished_;
-    unsigned running_ = 0;      ///< pool threads that run a check
-    unsigned sleepers_ = 0;     ///< pool threads that have to be woken and are not being woken: that may take long
-    bool searchWaits_ = false;  ///< the same of the search thread
+    std::vector<bool> numberTaken_;  ///< by pool threads
+    bool lastIsReserved_ = false;    ///< the last number is for the search thread
+    unsigned running_ = 0;           ///< pool threads that run a check
+    unsigned sleepers_ = 0;          ///< pool threads that have to be woken and are not being woken: that may take long
+    bool searchWaits_ = false;       ///< the same of the search thread
 };
 }  // namespace specplan::validity
