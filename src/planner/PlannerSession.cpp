@@ -503,7 +503,7 @@ void PlannerSession::tellWhatToTry(const std::string& name)
         OMPL_INFORM("%s: %s", name.c_str(), describe(search).c_str());
     if (report.status == "timeout" && std::isfinite(report.distanceToGoal))
         OMPL_INFORM("%s: the nearest state is %g from the goal", name.c_str(), report.distanceToGoal);
-    report.advice = advise(report, settings, query->canBeLazy(), std::max(std::thread::hardware_concurrency(), 1U));
+    report.advice = advise(report, settings, query->canBeLazy(), processors_);
     OMPL_INFORM("%s: %s", name.c_str(), report.advice.c_str());
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/validity/ThreadBudget.h"
 
-#include <algorithm>
-#include <thread>
+#include "specplan/util/Processors.h"
 
 namespace specplan
 {
 ThreadBudget::ThreadBudget(unsigned threads)
-    : threads_(threads > 0 ? threads : std::max(std::thread::hardware_concurrency(), 1U))
+    : threads_(threads > 0 ? threads : util::availableProcessors())
 {
 }
 }  // namespace specplan
