@@ -2,6 +2,7 @@
 #include "specplan/planner/OmplChecker.h"
 
 #include <algorithm>
+#include <chrono>
 #include <deque>
 #include <string_view>
 #include <typeinfo>
@@ -116,12 +117,22 @@ void OmplChecker::breakOffIfTold(unsigned worker)
         throw validity::BrokenOff();
 }
 
+/// Takes a lock that others may hold for long, and goes on looking at the stop signal meanwhile: the search thread has
+/// to ask whether to stop. Who holds the lock never waits for that, or the search thread might wait for the lock.
+void OmplChecker::waitFor(std::unique_lock<std::timed_mutex>& lock, unsigned worker)
+{
+    constexpr std::chrono::milliseconds kPatience{1};
+    while (!lock.try_lock_for(kPatience))
+        breakOffIfTold(worker);
+    if (stop_ != nullptr && stop_->isSet())
+        throw validity::BrokenOff();
+}
+
 void OmplChecker::evaluateCost(lattice::MotionId motion, const ob::State* from, const ob::State* to, unsigned worker)
 {
     std::unique_lock lock(sharedObjective_, std::defer_lock);
     if (costsAlone_)
-        lock.lock();
-    breakOffIfTold(worker);
+        waitFor(lock, worker);
     costs_->evaluate(motion, from, to);
     scratch_[worker].states = std::max(scratch_[worker].states, 1U);
 }
@@ -131,8 +142,8 @@ bool OmplChecker::askValidator(const ob::State* from, const ob::State* to, unsig
     scratch_[worker].states = si_.getStateSpace()->validSegmentCount(from, to);
     if (sources_.motionValidators.size() > 1)
         return sources_.motionValidators[worker]->checkMotion(from, to);
-    const std::lock_guard lock(sharedValidator_);
-    breakOffIfTold(worker);  // that may have been a long wait
+    std::unique_lock lock(sharedValidator_, std::defer_lock);
+    waitFor(lock, worker);
     return sources_.motionValidators.front()->checkMotion(from, to);
 }
 

@@ -5,8 +5,7 @@
 
 namespace specplan
 {
-ThreadBudget::ThreadBudget(unsigned threads)
-    : threads_(threads > 0 ? threads : util::availableProcessors())
+ThreadBudget::ThreadBudget(unsigned threads) : threads_(threads > 0 ? threads : util::availableProcessors())
 {
 }
 }  // namespace specplan

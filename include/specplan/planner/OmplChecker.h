@@ -122,6 +122,7 @@ private:
     void evaluateCost(lattice::MotionId motion, const ompl::base::State* from, const ompl::base::State* to,
                       unsigned worker);
     void breakOffIfTold(unsigned worker);
+    void waitFor(std::unique_lock<std::timed_mutex>& lock, unsigned worker);
     [[nodiscard]] const ompl::base::StateValidityChecker& checkerOf(unsigned worker) const noexcept;
 
     const ompl::base::SpaceInformation& si_;
@@ -131,10 +132,10 @@ private:
     Sources sources_;
     validity::StopSignal* stop_ = nullptr;
     bool discrete_ = true;
-    bool rounds_ = false;         ///< states in between may be equal to others
-    bool costsAlone_ = false;     ///< the objective is called by one thread at a time
-    std::mutex sharedValidator_;  ///< held while the shared motion validator runs
-    std::mutex sharedObjective_;  ///< held while the objective runs, if it must be alone
+    bool rounds_ = false;               ///< states in between may be equal to others
+    bool costsAlone_ = false;           ///< the objective is called by one thread at a time
+    std::timed_mutex sharedValidator_;  ///< held while the shared motion validator runs
+    std::timed_mutex sharedObjective_;  ///< held while the objective runs, if it must be alone
     std::mutex glancesMutex_;
     std::unordered_set<lattice::MotionId> glanced_;  ///< motions whose glance is valid; guarded by glancesMutex_
     std::vector<Scratch> scratch_;
