@@ -11,7 +11,6 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/SimpleSetup.h>
-#include <ompl/util/Console.h>
 
 #include "specplan/planner/SpeculativeAStar.h"
 
@@ -28,7 +27,6 @@ std::map<Values, int> callsByState(const ob::StateSpacePtr& space, const ob::Sco
                                    const ob::ScopedState<>& goal, const PlannerSettings& settings, double resolution,
                                    const ValuesOf& valuesOf)
 {
-    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
     std::map<Values, int> calls;
     og::SimpleSetup setup(space);
     setup.getSpaceInformation()->setStateValidityCheckingResolution(resolution);

@@ -14,7 +14,6 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/SimpleSetup.h>
-#include <ompl/util/Console.h>
 
 #include "specplan/planner/SpeculativeAStar.h"
 
@@ -31,7 +30,6 @@ class Ring
 public:
     Ring(unsigned threads, const std::string& evaluation) : setup(std::make_shared<ob::RealVectorStateSpace>(2))
     {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
         setup.getStateSpace()->as<ob::RealVectorStateSpace>()->setBounds(-1.0, 1.0);
         setup.getSpaceInformation()->setStateValidityCheckingResolution(0.003);
         setup.setStateValidityChecker([this](const ob::State* state) { return check(state); });

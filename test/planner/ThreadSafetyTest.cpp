@@ -14,7 +14,6 @@
 #include <ompl/base/objectives/StateCostIntegralObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/SimpleSetup.h>
-#include <ompl/util/Console.h>
 
 #include "specplan/planner/ObjectiveCosts.h"
 #include "specplan/planner/SpeculativeAStar.h"
@@ -102,7 +101,6 @@ struct Scene
 {
     explicit Scene(bool allocator) : setup(std::make_shared<ob::RealVectorStateSpace>(2))
     {
-        ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
         setup.getStateSpace()->as<ob::RealVectorStateSpace>()->setBounds(-1.0, 1.0);
         const ob::SpaceInformationPtr& si = setup.getSpaceInformation();
         setup.setStateValidityChecker(std::make_shared<StatefulChecker>(si, clashesShared));
