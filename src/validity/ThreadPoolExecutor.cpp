@@ -67,9 +67,10 @@ ThreadPoolExecutor::ThreadPoolExecutor(Checker& checker, unsigned workers, std::
       workers_(std::max(workers, 1U)),
       processors_(util::availableProcessors()),
       share_(std::move(share)),
+      mayUse_(share_ ? 1 + share_->limit() : workers_),
       threadLimit_(threadsToRun()),
-      numberTaken_(workers_),
-      lastIsReserved_(searchThreadShouldWork())
+      lastIsReserved_(searchThreadShouldWork()),
+      numberTaken_(workers_)
 {
     threads_.reserve(workers_);
 }
@@ -83,6 +84,8 @@ ThreadPoolExecutor::~ThreadPoolExecutor()
         speculative_.clear();
     }
     stop_.end();
+    if (share_)
+        share_->wake();
     workAvailable_.notify_all();
     for (std::thread& thread : threads_)
         thread.join();
@@ -105,7 +108,7 @@ Completion ThreadPoolExecutor::runHere(CheckId check)
 
 bool ThreadPoolExecutor::worksHere() const noexcept
 {
-    return searchThreadShouldWork() && !lastNumberTaken_;
+    return searchThreadShouldWork() && !lastNumberTaken_ && !ownTaken_;
 }
 
 unsigned ThreadPoolExecutor::room() const noexcept
@@ -169,6 +172,7 @@ void ThreadPoolExecutor::collect(std::vector<Completion>& out, std::chrono::mill
 {
     if (inHand_ == 0)
         return;
+    adaptToBudget();
     const std::size_t before = out.size();
     {
         Lock lock(mutex_);
@@ -232,11 +236,23 @@ void ThreadPoolExecutor::learn(const Completion& completion)
     adaptThreads();
 }
 
+/// Uses what the budget has for this planner now. Not between a look at `worksHere` and the check that is run then.
+void ThreadPoolExecutor::adaptToBudget()
+{
+    if (!share_)
+        return;
+    const unsigned mayUse = 1 + share_->limit();
+    if (mayUse == mayUse_)
+        return;
+    mayUse_ = mayUse;
+    adaptThreads();
+}
+
 /// Lets as many threads run as there should be now.
 void ThreadPoolExecutor::adaptThreads()
 {
     const unsigned limit = threadsToRun();
-    if (limit == threadLimit_.load(std::memory_order_relaxed))
+    if (limit == threadLimit_.load(std::memory_order_relaxed) && searchThreadShouldWork() == lastIsReserved_)
         return;
     {
         const std::lock_guard lock(mutex_);
@@ -245,6 +261,8 @@ void ThreadPoolExecutor::adaptThreads()
         sleepers_ = 0;
     }
     workAvailable_.notify_all();
+    if (share_)
+        share_->wake();  // they may have no need to borrow any more
 }
 
 void ThreadPoolExecutor::cancelQueued(std::vector<CheckId>& dropped)
@@ -331,21 +349,57 @@ void ThreadPoolExecutor::work(unsigned worker)
             lock.lock();
             continue;
         }
-        const CheckId check = popQueue();
-        const unsigned number = takeNumber(worker);
-        ++running_;
-
-        lock.unlock();
-        Completion completion = runner.run(checker_, check, number);
-        lock.lock();
-
-        --running_;
-        giveNumberBack(number);
+        const bool borrows = needsToBorrow();
+        if (borrows && !borrow(lock))
+            continue;
+        if (!borrows && share_)
+            ownTaken_ = true;
+        Completion completion = runAsWorker(lock, runner, worker);
+        if (borrows)
+            share_->giveBack();
+        else
+            ownTaken_ = false;
         finished_.push_back(std::move(completion));
         done_.fetch_add(1, std::memory_order_relaxed);
         if (std::exchange(searchWaits_, false))
             resultAvailable_.notify_one();
     }
+}
+
+/// Runs the next check of the queue without the lock.
+Completion ThreadPoolExecutor::runAsWorker(Lock& lock, InlineRunner& runner, unsigned worker)
+{
+    const CheckId check = popQueue();
+    const unsigned number = takeNumber(worker);
+    ++running_;
+
+    lock.unlock();
+    Completion completion = runner.run(checker_, check, number);
+    lock.lock();
+
+    --running_;
+    giveNumberBack(number);
+    return completion;
+}
+
+/// Whether the planner's own thread in the budget is not free for the calling one.
+bool ThreadPoolExecutor::needsToBorrow() const noexcept
+{
+    return share_ && (lastIsReserved_ || ownTaken_);
+}
+
+/// Waits for a thread of the budget, without the lock. \return false if there is nothing to run with it now; it is
+/// given back then.
+bool ThreadPoolExecutor::borrow(Lock& lock)
+{
+    lock.unlock();
+    const bool borrowed = share_->borrow([this] { return ending_ || queued() == 0 || !needsToBorrow(); });
+    lock.lock();
+    if (borrowed && !ending_ && hasWork() && stop_.allows())
+        return true;
+    if (borrowed)
+        share_->giveBack();
+    return false;
 }
 
 /// Whether the calling thread has the processor that the search was on: on a busy machine a thread that is woken often

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -28,13 +29,17 @@ namespace specplan::validity
 /// Who runs a check holds a worker's number meanwhile: a thread its own, but the last number is the search thread's as
 /// long as that is a worker.
 ///
+/// A pool may share a budget of threads with others. It then has the search thread, or one of its own in the place of
+/// that, and borrows each further one for the time of a check.
+///
 /// Threads: the search thread owns the executor; workers share only what `mutex_` guards, and the atomic counters that
 /// tell when it is worth taking. A worker never touches verdicts, the lattice's growing parts or statistics: it runs
 /// the check and leaves a Completion.
 class ThreadPoolExecutor : public Executor
 {
 public:
-    /// \param checker must outlive the executor. \param workers at least 1.
+    /// \param checker must outlive the executor. \param workers at least 1. \param share of a budget of threads, which
+    /// the search thread has entered while checks are in hand; empty for none.
     ThreadPoolExecutor(Checker& checker, unsigned workers, std::shared_ptr<BudgetShare> share = nullptr);
     ~ThreadPoolExecutor() override;
     ThreadPoolExecutor(const ThreadPoolExecutor&) = delete;
@@ -93,7 +98,7 @@ private:
     /// Workers that may run now.
     [[nodiscard]] unsigned usedWorkers() const noexcept
     {
-        return busyChecks_.yes() ? std::min(workers_, processors_) : workers_;
+        return std::min(mayUse_, busyChecks_.yes() ? std::min(workers_, processors_) : workers_);
     }
 
     /// Whether the search thread should be a worker, and will be once its number is free.
@@ -114,6 +119,10 @@ private:
     void learn(const Completion& completion);
     void noteHandedBack(std::size_t count);
     void adaptThreads();
+    void adaptToBudget();
+    [[nodiscard]] bool needsToBorrow() const noexcept;
+    [[nodiscard]] bool borrow(Lock& lock);
+    [[nodiscard]] Completion runAsWorker(Lock& lock, InlineRunner& runner, unsigned worker);
     [[nodiscard]] unsigned takeNumber(unsigned worker);
     void giveNumberBack(unsigned number);
     [[nodiscard]] bool hasWork() const;
@@ -134,6 +143,7 @@ private:
     // Search thread only.
     std::size_t inHand_ = 0;   ///< submitted and not collected
     Supply supply_;            ///< of checks in the queue
+    unsigned mayUse_;          ///< workers, the budget being what it is
     MajorityVote busyChecks_;  ///< whether checks keep a processor busy
     bool longChecks_ = false;  ///< whether they keep the search thread from asking whether to stop
     InlineRunner runner_;
@@ -145,6 +155,8 @@ private:
     std::atomic<unsigned> threadLimit_;  ///< pool threads that may run a check now
     std::atomic<bool> ending_{false};
     std::atomic<bool> lastNumberTaken_{false};  ///< by a pool thread
+    std::atomic<bool> lastIsReserved_{false};   ///< the last number is for the search thread
+    std::atomic<bool> ownTaken_{false};  ///< a pool thread runs instead of the search thread, in the budget's eyes
 
     std::atomic<int> searchProcessor_{-1};  ///< where the search thread last ran, as it says: a hint
 
@@ -156,7 +168,6 @@ private:
     std::deque<CheckId> speculative_;
     std::vector<Completion> finished_;
     std::vector<bool> numberTaken_;  ///< by pool threads
-    bool lastIsReserved_ = false;    ///< the last number is for the search thread
     unsigned running_ = 0;           ///< pool threads that run a check
     unsigned sleepers_ = 0;          ///< pool threads that have to be woken and are not being woken: that may take long
     bool searchWaits_ = false;       ///< the same of the search thread
