@@ -12,8 +12,8 @@
 #include "LazyTables.h"
 #include "specplan/problems/InputError.h"
 #include "specplan/problems/MovingAi.h"
-#include "specplan/problems/SeedMap.h"
 #include "specplan/problems/OutputFile.h"
+#include "specplan/problems/SeedMap.h"
 
 namespace specplan::benchmarks
 {

@@ -19,8 +19,8 @@ const std::vector<std::string>& evaluations();
 /// Every knob of SpeculativeAStar with its default. The names in parentheses are the OMPL parameters.
 struct PlannerSettings
 {
-    /// How many checks may run at once (`num_threads`), 0 to 4096; 0 stands for the number of cores. 1 is sequential
-    /// A*: no thread is started.
+    /// How many checks may run at once (`num_threads`), 0 to 4096; 0 stands for the processors that this process may
+    /// use. 1 is sequential A*: no thread is started.
     unsigned numThreads = 0;
 
     /// What to check ahead (`speculation_policy`): "none", "direction" or "runahead".
