@@ -28,7 +28,7 @@ inline void requireOneLine(std::string_view message)
     if (message.empty())
         fail("a message is empty", "");
     for (const char c : message)
-        if (const auto byte = static_cast<unsigned char>(c); byte == '\n')
+        if (const auto byte = static_cast<unsigned char>(c); byte < 0x20 || byte == 0x7F)
             fail("a message has control bytes", message);
 }
 

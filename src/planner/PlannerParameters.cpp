@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "specplan/util/ParseNumber.h"
+#include "specplan/util/PrintableText.h"
 
 namespace specplan::planner
 {
@@ -31,9 +32,7 @@ constexpr const char* kSpacingExpected = "numbers greater than 0 and up to 1e12,
 
 [[noreturn]] void refuse(const std::string& name, const std::string& expected, const std::string& given)
 {
-    std::ostringstream message;
-    message << name << " must be " << expected << ", not '" << given << "'";
-    throw std::invalid_argument(message.str());
+    throw std::invalid_argument(name + " must be " + expected + ", not " + util::inQuotes(given));
 }
 
 std::string text(double value)

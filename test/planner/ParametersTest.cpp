@@ -38,20 +38,41 @@ TEST(Parameters, BadValuesAreRefusedAndTheOldOneStays)
     EXPECT_FALSE(params.setParam("no_such_parameter", "1"));
 }
 
-TEST(Parameters, TheMessageNamesParameterRangeAndValue)
+/// What is wrong with the settings; empty if nothing is.
+std::string refusal(const PlannerSettings& settings)
 {
-    PlannerSettings settings;
-    settings.weight = std::numeric_limits<double>::quiet_NaN();
     try
     {
         Scene scene;
         SpeculativeAStar planner(scene.setup.getSpaceInformation(), settings);
-        FAIL() << "not refused";
     }
     catch (const std::invalid_argument& error)
     {
-        EXPECT_STREQ(error.what(), "weight must be 0, or between 1 and 1e+09, not 'nan'");
+        return error.what();
     }
+    return "";
+}
+
+TEST(Parameters, TheMessageNamesParameterRangeAndValue)
+{
+    PlannerSettings settings;
+    EXPECT_EQ(refusal(settings), "");
+    settings.weight = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(refusal(settings), "weight must be 0, or between 1 and 1e+09, not 'nan'");
+    settings = {};
+    settings.executor = "gpu";
+    EXPECT_EQ(refusal(settings), "executor must be threads or virtual, not 'gpu'");
+}
+
+TEST(Parameters, TheMessageIsOnePrintableLineWhateverTheValue)
+{
+    PlannerSettings settings;
+    settings.executor = "\x1b[2Jthreads\n";
+    EXPECT_EQ(refusal(settings), "executor must be threads or virtual, not '\\x1b[2Jthreads\\n'");
+    settings = {};
+    settings.evaluation = std::string(1000, 'x');
+    EXPECT_NE(refusal(settings).find(", not '" + std::string(60, 'x') + "...'"), std::string::npos)
+        << refusal(settings);
 }
 
 TEST(Parameters, NoMeansNo)

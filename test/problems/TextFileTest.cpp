@@ -59,5 +59,11 @@ TEST(Split, LeavesEmptyPartsOut)
     EXPECT_TRUE(split("", " ").empty());
     EXPECT_TRUE(split("  ", " ").empty());
 }
+
+TEST(InputError, IsOnePrintableLine)
+{
+    EXPECT_STREQ(InputError("a\nb", 3, "found '\x02'").what(), "a\\nb:3: found '\\x02'");
+    EXPECT_STREQ(InputError("\x1b[2J").what(), "\\x1b[2J");
+}
 }  // namespace
 }  // namespace specplan::problems

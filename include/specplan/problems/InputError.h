@@ -5,10 +5,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "specplan/problems/PrintableText.h"
+#include "specplan/util/PrintableText.h"
 
 namespace specplan::problems
 {
+using util::inQuotes;
+using util::printable;
+
 /// All parts one after the other, as `<<` prints them.
 template <typename... Parts>
 [[nodiscard]] std::string concat(const Parts&... parts)

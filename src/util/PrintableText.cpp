@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "specplan/problems/PrintableText.h"
+#include "specplan/util/PrintableText.h"
 
 #include <array>
 #include <cstddef>
 
-namespace specplan::problems
+namespace specplan::util
 {
 namespace
 {
@@ -88,4 +88,4 @@ std::string inQuotes(std::string_view text)
         --end;
     return '\'' + printable(text.substr(0, end)) + "...'";
 }
-}  // namespace specplan::problems
+}  // namespace specplan::util

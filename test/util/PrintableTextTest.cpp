@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "specplan/problems/PrintableText.h"
+#include "specplan/util/PrintableText.h"
 
 #include <gtest/gtest.h>
 
-#include "specplan/problems/InputError.h"
-
-namespace specplan::problems
+namespace specplan::util
 {
 namespace
 {
@@ -43,11 +41,5 @@ TEST(Quoted, CutsLongTextsBetweenCharacters)
     EXPECT_EQ(inQuotes(std::string(61, 'x')), '\'' + std::string(60, 'x') + "...'");
     EXPECT_EQ(inQuotes(std::string(59, 'x') + "\xC3\xA4y"), '\'' + std::string(59, 'x') + "...'");
 }
-
-TEST(InputError, IsOnePrintableLine)
-{
-    EXPECT_STREQ(InputError("a\nb", 3, "found '\x02'").what(), "a\\nb:3: found '\\x02'");
-    EXPECT_STREQ(InputError("\x1b[2J").what(), "\\x1b[2J");
-}
 }  // namespace
-}  // namespace specplan::problems
+}  // namespace specplan::util
