@@ -14,13 +14,10 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <system_error>
-#include <type_traits>
-#include <vector>
 
-#include "specplan/problems/InputError.h"
+#include "MeshAnswer.h"
 #include "specplan/problems/fcl/MeshFile.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -33,7 +30,6 @@
 
 namespace specplan::command
 {
-using problems::InputError;
 using problems::Mesh;
 
 namespace
@@ -44,35 +40,21 @@ constexpr bool kSanitized = true;  // sanitizers reserve terabytes of addresses
 constexpr bool kSanitized = false;
 #endif
 
-/// What the reading process says first.
-enum class Outcome : char
-{
-    Mesh = 'm',
-    Refused = 'r'  ///< followed by the reason
-};
-
-/// Limits that grow with the file. A good one of 2.7 MB took 0.5 s and 95 MB, so these are far off.
-struct Limits
-{
-    rlim_t seconds;
-    rlim_t bytes;
-};
-
-Limits limitsFor(std::uintmax_t size)
+/// They grow with the file. A good one of 2.7 MB took 0.5 s and 95 MB, so these are far off.
+ReaderLimits limitsFor(std::uintmax_t size)
 {
     constexpr std::uintmax_t kMegabyte = 1U << 20U;
     const std::uintmax_t megabytes = std::min<std::uintmax_t>(size / kMegabyte, 1U << 16U);
-    const rlim_t slower = kSanitized ? 20 : 1;
-    return {static_cast<rlim_t>(10 + 10 * megabytes) * slower,
-            static_cast<rlim_t>((1024 + 400 * megabytes) * kMegabyte)};
+    const std::uint64_t slower = kSanitized ? 20 : 1;
+    return {(10 + 10 * megabytes) * slower, (1024 + 400 * megabytes) * kMegabyte};
 }
 
-void limit(int resource, rlim_t most)
+void limit(int resource, std::uint64_t most)
 {
     rlimit now = {};
     if (getrlimit(static_cast<decltype(RLIMIT_CPU)>(resource), &now) != 0)
         return;
-    now.rlim_cur = std::min(most, now.rlim_max);  // where time is up SIGXCPU says so, other than the hard limit
+    now.rlim_cur = std::min<rlim_t>(most, now.rlim_max);  // where time is up SIGXCPU says so, other than the hard limit
     setrlimit(static_cast<decltype(RLIMIT_CPU)>(resource), &now);
 }
 
@@ -91,17 +73,8 @@ void writeAll(int pipe, const void* data, std::size_t size)
     }
 }
 
-template <typename T>
-void writeRow(int pipe, const std::vector<T>& row)
-{
-    static_assert(std::is_trivially_copyable_v<T> || std::is_same_v<T, Eigen::Vector3d>);
-    const std::uint64_t count = row.size();
-    writeAll(pipe, &count, sizeof count);
-    writeAll(pipe, row.data(), count * sizeof(T));
-}
-
 /// The reading process: hands over the mesh, or why there is none.
-[[noreturn]] void readAndTell(const std::string& path, const Limits& limits, int pipe)
+[[noreturn]] void readAndTell(const std::string& path, const ReaderLimits& limits, int pipe)
 {
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -112,13 +85,10 @@ void writeRow(int pipe, const std::vector<T>& row)
         limit(RLIMIT_AS, limits.bytes);
     if (const int null = open("/dev/null", O_WRONLY); null >= 0)
         dup2(null, STDERR_FILENO);  // the one line is the parent's
-    char outcome = static_cast<char>(Outcome::Mesh);
+    const SendBytes send = [pipe](const void* data, std::size_t size) { writeAll(pipe, data, size); };
     try
     {
-        const Mesh mesh = problems::readMesh(path);
-        writeAll(pipe, &outcome, 1);
-        writeRow(pipe, mesh.vertices);
-        writeRow(pipe, mesh.triangles);
+        sendMesh(problems::readMesh(path), send);
     }
     catch (const std::bad_alloc&)
     {
@@ -126,9 +96,7 @@ void writeRow(int pipe, const std::vector<T>& row)
     }
     catch (const std::exception& error)
     {
-        outcome = static_cast<char>(Outcome::Refused);
-        writeAll(pipe, &outcome, 1);
-        writeAll(pipe, error.what(), std::strlen(error.what()));
+        sendRefusal(error.what(), send);
     }
     _exit(0);
 }
@@ -147,49 +115,9 @@ bool readAll(int pipe, std::string& text)
     }
 }
 
-/// Takes a row that writeRow() wrote off the front. \return false if it is not whole.
-template <typename T>
-bool takeRow(std::string_view& bytes, std::vector<T>& row)
-{
-    std::uint64_t count = 0;
-    if (bytes.size() < sizeof count)
-        return false;
-    std::memcpy(&count, bytes.data(), sizeof count);
-    bytes.remove_prefix(sizeof count);
-    if (count > bytes.size() / sizeof(T))
-        return false;
-    row.resize(count);
-    std::memcpy(static_cast<void*>(row.data()), bytes.data(), count * sizeof(T));
-    bytes.remove_prefix(count * sizeof(T));
-    return true;
-}
-
-bool takeMesh(std::string_view bytes, Mesh& mesh)
-{
-    return takeRow(bytes, mesh.vertices) && takeRow(bytes, mesh.triangles) && bytes.empty();
-}
-
-[[noreturn]] void fail(const std::string& path, const std::string& reason)
-{
-    throw InputError(path, 0, "expected a mesh (COLLADA, STL, OBJ), but " + reason);
-}
-
 [[noreturn]] void failAtSystem(const char* what)
 {
     throw std::system_error(errno, std::generic_category(), what);
-}
-
-/// \param status of the reading process, as waitpid() has it.
-[[noreturn]] void failOf(const std::string& path, int status, const Limits& limits)
-{
-    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    if (signal == SIGXCPU)
-        fail(path,
-             problems::concat("its reader (Assimp) was still at it after ", limits.seconds, " s; is it damaged?"));
-    if (signal != 0)
-        fail(path, problems::concat("its reader (Assimp) crashed (signal ", signal, "); is it damaged?"));
-    fail(path,
-         problems::concat("its reader (Assimp) asked for more than ", limits.bytes >> 20U, " MiB; is it damaged?"));
 }
 }  // namespace
 
@@ -197,7 +125,7 @@ Mesh readMeshApart(const std::string& path)
 {
     std::error_code unknown;
     const std::uintmax_t size = std::filesystem::file_size(path, unknown);
-    const Limits limits = limitsFor(unknown ? 0 : size);
+    const ReaderLimits limits = limitsFor(unknown ? 0 : size);
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0)
         failAtSystem("pipe");
@@ -217,13 +145,6 @@ Mesh readMeshApart(const std::string& path)
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
     {
     }
-    if (!heard || said.empty() || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        failOf(path, status, limits);
-    if (said.front() == static_cast<char>(Outcome::Refused))
-        throw InputError(said.substr(1));
-    Mesh mesh;
-    if (!takeMesh(std::string_view(said).substr(1), mesh))
-        fail(path, "its reader (Assimp) handed over only part of it");
-    return mesh;
+    return meshOf(path, heard ? said : "", status, limits);
 }
 }  // namespace specplan::command

@@ -1,10 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/problems/fcl/Mesh.h"
 
+#include <algorithm>
 #include <map>
+
+#include "specplan/problems/InputError.h"
 
 namespace specplan::problems
 {
+void requireSound(const Mesh& mesh, const std::string& file)
+{
+    if (mesh.triangles.empty())
+        throw InputError(file, 0, "expected a mesh of triangles, found none");
+    for (const auto& triangle : mesh.triangles)
+        if (std::ranges::any_of(triangle, [&mesh](std::uint32_t corner) { return corner >= mesh.vertices.size(); }))
+            throw InputError(file, 0, "expected triangles between the mesh's vertices, found another corner");
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+        if (!mesh.vertices[i].allFinite())
+            throw InputError(file, 0, concat("expected finite coordinates, but those of vertex ", i, " are not"));
+}
+
 Eigen::Vector3d centreOf(const Mesh& mesh)
 {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();

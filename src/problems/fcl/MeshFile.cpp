@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "specplan/problems/fcl/MeshFile.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <ostream>
@@ -57,14 +56,7 @@ Mesh readMesh(const std::string& path)
         throw InputError(path, 0, concat("expected a mesh (COLLADA, STL, OBJ): ", importer.GetErrorString()));
     Mesh mesh;
     collect(*scene, *scene->mRootNode, aiMatrix4x4(), mesh);
-    if (mesh.triangles.empty())
-        throw InputError(path, 0, "expected a mesh of triangles, found none");
-    for (const auto& triangle : mesh.triangles)
-        if (std::ranges::any_of(triangle, [&mesh](std::uint32_t corner) { return corner >= mesh.vertices.size(); }))
-            throw InputError(path, 0, "expected triangles between the mesh's vertices, found another corner");
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-        if (!mesh.vertices[i].allFinite())
-            throw InputError(path, 0, concat("expected finite coordinates, but those of vertex ", i, " are not"));
+    requireSound(mesh, path);
     return mesh;
 }
 

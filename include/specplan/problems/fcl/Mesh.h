@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -16,6 +17,10 @@ struct Mesh
     std::vector<Eigen::Vector3d> vertices;                ///< also those of no triangle
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of vertices
 };
+
+/// Refuses a mesh without triangles, with a corner that is no vertex, or with a coordinate that is no finite number.
+/// \throws InputError naming the file.
+void requireSound(const Mesh& mesh, const std::string& file);
 
 /// Mean of all vertices: the reference point that OMPL.app gives a robot.
 [[nodiscard]] Eigen::Vector3d centreOf(const Mesh& mesh);
