@@ -45,4 +45,6 @@ inline std::string scene(const std::string& file)
 {
     return std::string(SPECPLAN_SCENES_DIR "/") + file;
 }
+
+inline const std::string kCity = scene("city-64.map");
 }  // namespace specplan::test

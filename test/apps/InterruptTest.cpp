@@ -14,8 +14,6 @@ namespace
 {
 using std::chrono::milliseconds;
 
-const std::string kCity = scene("city-64.map");
-
 /// Interrupts later and later until there is a result of the wanted kind: how long the start takes on a machine that
 /// is busy nobody knows, and before it Ctrl-C ends the program as any other.
 template <typename Call>

@@ -34,7 +34,7 @@ void submit(Executor& executor, std::uint32_t count)
         executor.submit(stateCheck(node), Urgency::Speculative);
 }
 
-void collectAll(Executor& executor)
+void finishAll(Executor& executor)
 {
     std::vector<Completion> completions;
     while (executor.busy())
@@ -60,7 +60,7 @@ TEST(StopSignal, NothingThatIsQueuedBeginsOnceTheConditionIsTrue)
         std::vector<CheckId> dropped;
         executor.cancelQueued(dropped);
         EXPECT_GT(dropped.size(), 0U);
-        collectAll(executor);
+        finishAll(executor);
         EXPECT_EQ(checker.calls + static_cast<int>(dropped.size()), 1000);
     }
 }
@@ -85,7 +85,7 @@ TEST(StopSignal, NothingBeginsForLongWhileNobodyAsksTheCondition)
         EXPECT_GT(checker.calls, meanwhile) << "they go on as soon as it is asked";
         std::vector<CheckId> dropped;
         executor.cancelQueued(dropped);
-        collectAll(executor);
+        finishAll(executor);
     }
 }
 
@@ -99,7 +99,7 @@ TEST(StopSignal, ReleasedWorkersTakeUpWhatIsQueued)
     sleep(5);
     EXPECT_EQ(checker.calls, 0);
     executor.stopSignal().watch({});
-    collectAll(executor);
+    finishAll(executor);
     EXPECT_EQ(checker.calls, 100);
 }
 
@@ -124,16 +124,16 @@ TEST(StopSignal, LongChecksAreLeftToThreadsOfTheirOwnSoThatTheSearchThreadCanAsk
     (void)executor.runHere(stateCheck(0));
     EXPECT_FALSE(executor.worksHere()) << "that took 6 ms";
     submit(executor, 10);
-    collectAll(executor);
+    finishAll(executor);
     EXPECT_EQ(here, 1);
     EXPECT_EQ(checker.mostAtOnce, 2);
 
     milliseconds = 0;
     submit(executor, 100);
-    collectAll(executor);
+    finishAll(executor);
     EXPECT_TRUE(executor.worksHere()) << "now they are short";
     submit(executor, 100);
-    collectAll(executor);
+    finishAll(executor);
     EXPECT_EQ(clashes, 0) << "two threads with the same number";
     EXPECT_LE(checker.mostAtOnce, 2);
 }
@@ -173,7 +173,7 @@ private:
     int states_;
 };
 
-std::unique_ptr<Executor> makeExecutor(Checker& checker, int kind)
+std::unique_ptr<Executor> executorOfKind(Checker& checker, int kind)
 {
     if (kind == 0)
         return std::make_unique<InlineExecutor>(checker);
@@ -196,7 +196,7 @@ TEST(StopSignal, AMotionIsBrokenOffBetweenItsStatesAndCanBeCheckedLater)
     for (const int kind : {0, 1, 2, 8, 20})
     {
         StoppableMotions checker(kStates);
-        const std::unique_ptr<Executor> executor = makeExecutor(checker, kind);
+        const std::unique_ptr<Executor> executor = executorOfKind(checker, kind);
         checker.stop = &executor->stopSignal();
         Broker broker(*executor);
         broker.setWarmUp(0.0);
@@ -224,7 +224,7 @@ TEST(StopSignal, WhatTheConditionThrowsInsideOfACheckIsNotTheChecks)
     for (const int kind : {0, 2, 20})
     {
         StoppableMotions checker(50);
-        const std::unique_ptr<Executor> executor = makeExecutor(checker, kind);
+        const std::unique_ptr<Executor> executor = executorOfKind(checker, kind);
         checker.stop = &executor->stopSignal();
         Broker broker(*executor);
         broker.setInterrupt([&]() -> bool
