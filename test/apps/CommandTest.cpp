@@ -10,7 +10,6 @@ namespace specplan::test
 {
 namespace
 {
-const std::string kCity = scene("city-64.map");
 const std::string kSmall = "type octile\nheight 2\nwidth 3\nmap\n.@.\n.@.\n";
 
 TEST(Command, PlanPrintsATableOrJson)
@@ -302,6 +301,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"plan MAP --start 0,0 --goal 0,1 --planner RRT --trace OUT/a.csv", "--trace: expected a name"},
         BadCall{"plan MAP MAP --start 0,0 --goal 0,1", "PROBLEM"},
         BadCall{"speedup MAP MAP --start 0,0 --goal 0,1", "expected a single PROBLEM"},
+        BadCall{"plan MAP --start 0,0 --goal 0,1 --validity-resolution 0.01",
+                "--validity-resolution: expected a .cfg problem with this, found "},
         BadCall{"speedup MAP --start 0,0 --goal 0,1 --threads 1,x", "--threads"},
         BadCall{"speedup MAP --start 0,0 --goal 0,1 --policies none,x", "--policies"},
         BadCall{"speedup MAP --start 0,0 --goal 0,1 --csv OUT/none/a.csv", "a.csv: cannot be written"}));

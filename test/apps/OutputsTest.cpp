@@ -15,8 +15,6 @@ namespace
 {
 namespace fs = std::filesystem;
 
-const std::string kCity = scene("city-64.map");
-
 std::size_t linesOf(const std::string& text)
 {
     return static_cast<std::size_t>(std::ranges::count(text, '\n'));
@@ -223,6 +221,15 @@ TEST_F(Outputs, EmptyValuesAreRefused)
         EXPECT_EQ(call("speedup " + kCity + ' ' + option + " \"\"").status, 2) << option;
     for (const char* option : {"--log", "--planners", "--runs", "--memory-limit"})
         EXPECT_EQ(call("benchmark " + kCity + ' ' + option + " \"\"").status, 2) << option;
+}
+
+TEST_F(Outputs, APlotWithoutGnuplotIsRefusedBeforeTheWork)
+{
+    const Outcome outcome = shell("PATH=/nowhere \"$SPECPLAN\" speedup " + kCity +
+                                  " --executor virtual --threads 1,2 --plot " + file("a.svg"));
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err, "specplan: --plot: gnuplot is needed to draw the plot and was not found\n");
 }
 
 TEST_F(Outputs, AScenarioOfAnotherMapIsNoted)

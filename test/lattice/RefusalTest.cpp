@@ -48,6 +48,14 @@ TEST(Refusal, Grids)
             GridNeighbourhood({{0, 0}, {9, 9}}, free);
         },
         "every step of a grid needs a finite cost greater than 0");
+    GridSteps around = steps();
+    around.connectivity = 13;
+    around.cornerCutting = false;
+    expectRefused(
+        [&] {
+            GridNeighbourhood({std::vector<Coordinate>(13, 0), std::vector<Coordinate>(13, 1)}, around);
+        },
+        "a node has more than 65536 neighbours; choose a smaller connectivity");
 }
 
 TEST(Refusal, RotationsAndMotionPrimitives)

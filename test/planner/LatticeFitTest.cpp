@@ -148,7 +148,8 @@ void expectRefused(const Answer& answer, const std::string& space, const std::st
 
 TEST(LatticeFit, CurvesAreRefused)
 {
-    expectRefused(solve(std::make_shared<Circling>(), {-8.0, -8.0, 0.0}, {8.0, 7.0, 1.0}), "circling", "curves");
+    expectRefused(solve(std::make_shared<Circling>(), {-8.0, -8.0, 0.0}, {8.0, 7.0, 1.0}),
+                  "there is no lattice over the state space 'circling'", "curves");
 }
 
 TEST(LatticeFit, TimeAndPlaceTiedByAGreatestSpeedAreRefused)

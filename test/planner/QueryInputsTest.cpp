@@ -354,7 +354,9 @@ TEST(QueryInputs, ExplainSaysWhatItMisses)
     }
     catch (const ompl::Exception& error)
     {
-        EXPECT_NE(std::string(error.what()).find("setup()"), std::string::npos) << error.what();
+        EXPECT_STREQ(error.what(),
+                     "SpeculativeAStar: explain() needs start and goal: call it after "
+                     "setProblemDefinition(), or after SimpleSetup::setup()");
     }
 }
 

@@ -155,6 +155,8 @@ TEST_F(OmplAppFile, RefusesWhatIsWrongInOneLine)
     const std::vector<Bad> bad{
         {"", "a.cfg: expected problem.robot, a mesh file, found none"},
         {replaced(kPlanar, "start.x = 1\n", ""), "a.cfg: expected problem.start.x, a number, found none"},
+        {replaced(kPlanar, "start.theta = 0.5\n", ""),
+         "a.cfg: expected problem.start.theta, an angle in radians, found none"},
         {replaced(kPlanar, "start.y = 2.5", "start.y = two"),
          "a.cfg:6: problem.start.y: expected a number, found 'two'"},
         {replaced(kPlanar, "goal.y = -2e0", "goal.y = nan"), "a.cfg:9: problem.goal.y: expected a number, found 'nan'"},

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "FakeChecker.h"
 
 namespace specplan::validity
@@ -101,6 +103,21 @@ TEST(VirtualExecutor, CostMayDependOnTheVerdict)
     executor.submit(stateCheck(3), Urgency::Speculative);
     EXPECT_EQ(collected(executor, kPatience), Nodes{3});
     EXPECT_EQ(executor.now(), 1.0);
+}
+
+TEST(VirtualExecutor, HasNoWorkerInTheCallingThread)
+{
+    FakeChecker checker;
+    VirtualExecutor executor = makeExecutor(checker, 2);
+    try
+    {
+        (void)executor.runHere(stateCheck(1));
+        ADD_FAILURE() << "it ran one";
+    }
+    catch (const std::logic_error& error)
+    {
+        EXPECT_STREQ(error.what(), "a virtual executor has no worker in the calling thread");
+    }
 }
 }  // namespace
 }  // namespace specplan::validity

@@ -110,9 +110,13 @@ TEST(RigidBodyChecker, KeepsSeveralBodiesApart)
 TEST(RigidBodyChecker, RefusesSpacesThatDoNotFit)
 {
     const auto vector = std::make_shared<ob::SpaceInformation>(std::make_shared<ob::RealVectorStateSpace>(2));
-    EXPECT_THROW(RigidBodyChecker(vector, roomScene(1)), std::invalid_argument);
+    vector->getStateSpace()->setName("vectors");
+    const auto refusal = [](const ob::SpaceInformationPtr& si, std::size_t robots)
+    { return test::complaintOf<std::invalid_argument>([&] { RigidBodyChecker(si, roomScene(robots)); }); };
+    EXPECT_EQ(refusal(vector, 1), "the state space 'vectors' must be SE2, SE3 or a compound of these");
     const auto plane = std::make_shared<ob::SpaceInformation>(makeSpace<ob::SE2StateSpace>(2));
-    EXPECT_THROW(RigidBodyChecker(plane, roomScene(2)), std::invalid_argument);
+    plane->getStateSpace()->setName("plane");
+    EXPECT_EQ(refusal(plane, 2), "the state space 'plane' holds 1 poses, but the scene has 2 robots");
 }
 
 /// Eight threads ask one checker the same questions in different orders; the thread sanitizer watches.
