@@ -34,13 +34,14 @@ class PlannerSession;
 ///
 /// Reference: M. Bakhshalipour, M. Qadri, D. Guri, "Speculative Path Planning", arXiv:2102.06261.
 ///
-/// Assumptions: the state space has bounds. Any space that OMPL ships will do, combined in any way, and any other one
-/// whose values say all about a state (StateSpace::copyToReals); those constrained to a manifold will not. Any goal
-/// will do; states are joined to the lattice by validated motions, and regions are entered at lattice states. Any
-/// objective will do that prefers smaller or larger costs. The lattice goes through the first start exactly. The answer
-/// is optimal on this lattice within `weight`. With time left and an objective in the problem definition, the planner
-/// goes on with smaller weights and finer lattices. Without an objective the first path is the answer, and it is looked
-/// for in haste: its cost is at most 3 times the optimum on the lattice (5 times from eight axes on).
+/// Assumptions: the state space has bounds. Nearly any space that OMPL ships will do, combined in any way, and any
+/// other one whose values say all about a state (StateSpace::copyToReals); those constrained to a manifold and those
+/// whose motions are curves will not, but for cars. Any goal will do; states are joined to the lattice by validated
+/// motions, and regions are entered at lattice states. Any objective will do that prefers smaller or larger costs. The
+/// lattice goes through the first start exactly. The answer is optimal on this lattice within `weight`. With time left
+/// and an objective in the problem definition, the planner goes on with smaller weights and finer lattices. Without an
+/// objective the first path is the answer, and it is looked for in haste: its cost is at most 3 times the optimum on
+/// the lattice (5 times from eight axes on).
 ///
 /// Threads: the planner's members are for one thread at a time. During solve() the state validity checker is called
 /// from up to `num_threads` threads, as OMPL asks of checkers; give one for each worker with
