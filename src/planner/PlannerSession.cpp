@@ -14,10 +14,8 @@
 #include <ompl/util/Exception.h>
 
 #include "specplan/planner/Advice.h"
-#include "specplan/planner/MakeExecutor.h"
 #include "specplan/planner/OmplCompat.h"
 #include "specplan/util/Hash.h"
-#include "specplan/util/Processors.h"
 
 namespace specplan::planner
 {
@@ -60,14 +58,14 @@ bool isRegion(const ob::Goal& goal)
 void PlannerSession::prepare()
 {
     if (!query)  // it would keep the executor that it was made with
-        ensureExecutor();
+        workers.prepare(settings);
 }
 
 void PlannerSession::reset()
 {
     resetQuery();
     query.reset();
-    if (tracer)
+    if (TracingChecker* tracer = workers.tracer())
         tracer->clearNotes();
 }
 
@@ -92,65 +90,9 @@ void PlannerSession::resetQuery()
     inputsChanged_ = false;
 }
 
-std::shared_ptr<validity::BudgetShare> PlannerSession::openShare()
-{
-    if (!budget)
-        share.reset();
-    else if (!share || share->budget() != budget)
-        share = std::make_shared<validity::BudgetShare>(budget);
-    return share;
-}
-
 PlannerSession::PlannerSession(ob::SpaceInformationPtr spaceInformation)
-    : si(std::move(spaceInformation)), processors_(util::availableProcessors()), inputs_(*si)
+    : si(std::move(spaceInformation)), workers(si), inputs_(*si)
 {
-}
-
-void PlannerSession::ensureExecutor()
-{
-    unsigned threads = settings.numThreads;
-    if (threads == 0)
-        threads = processors_;
-    if (openShare())
-        threads = std::min(threads, budget->threads());
-    if (executor && executorSettings.numThreads == threads && executorSettings.executor == settings.executor &&
-        executorSettings.virtualCheckCost == settings.virtualCheckCost && executorTrace == trace &&
-        executorShare == share)
-        return;
-    executor.reset();
-    tracer.reset();
-    checker = std::make_unique<OmplChecker>(*si, threads);
-    if (trace)
-        tracer = std::make_unique<TracingChecker>(*checker, threads, trace, settings.executor == "virtual");
-    executor = makeExecutor(settings, threads, *checker, tracer.get(), share);
-    checker->setStopSignal(&executor->stopSignal());
-    executorSettings = settings;
-    executorSettings.numThreads = threads;
-    executorTrace = trace;
-    executorShare = share;
-}
-
-OmplChecker::Sources PlannerSession::makeSources() const
-{
-    OmplChecker::Sources sources;
-    const unsigned workers = executor->workers();
-    if (checkerAllocator)
-        for (unsigned worker = 0; worker < workers; ++worker)
-            sources.checkers.push_back(checkerAllocator(si, worker));
-    else
-        sources.checkers.push_back(si->getStateValidityChecker());
-    if (motionValidatorAllocator)
-        for (unsigned worker = 0; worker < workers; ++worker)
-            sources.motionValidators.push_back(motionValidatorAllocator(si, worker));
-    else
-        sources.motionValidators.push_back(si->getMotionValidator());
-    for (const auto& made : sources.checkers)
-        if (!made)
-            throw ompl::Exception("the state validity checker allocator returned nothing");
-    for (const auto& made : sources.motionValidators)
-        if (!made)
-            throw ompl::Exception("the motion validator allocator returned nothing");
-    return sources;
 }
 
 void PlannerSession::takeStarts(const ob::ProblemDefinition& pdef, const ob::PlannerTerminationCondition& ptc)
@@ -162,8 +104,9 @@ void PlannerSession::takeStarts(const ob::ProblemDefinition& pdef, const ob::Pla
             ob::OptimizationObjectivePtr objective = pdef.getOptimizationObjective();
             if (!objective)
                 objective = std::make_shared<ob::PathLengthOptimizationObjective>(si);
-            query = std::make_unique<LatticeQuery>(*si, std::move(objective), settings, hooks, *executor, *checker,
-                                                   makeSources(), start, looksForBetter(pdef));
+            query =
+                std::make_unique<LatticeQuery>(*si, std::move(objective), settings, hooks, workers.executor(),
+                                               workers.checker(), workers.makeSources(), start, looksForBetter(pdef));
             refinements_ = 0;
         }
         const bool isFirst = query->starts().empty();
@@ -249,7 +192,7 @@ std::optional<ob::PlannerStatus> PlannerSession::openQuery(const ob::ProblemDefi
     querySettings = settings;
     sourcesChanged = false;
     searchFailed_ = false;
-    ensureExecutor();
+    workers.prepare(settings);
     if (!query || !inputs_.continues(pdef))  // without a query an earlier call took starts and failed
     {
         inputs_.open(pdef);
@@ -369,11 +312,11 @@ SearchStatus PlannerSession::search(const ob::Goal& goal, const ob::PlannerTermi
     struct Settle
     {
         PlannerSession& session;
-        double clock = session.executor->now();
+        double clock = session.workers.executor().now();
 
         ~Settle()
         {
-            session.clockInSearch_ += session.executor->now() - clock;
+            session.clockInSearch_ += session.workers.executor().now() - clock;
             session.query->broker().settle();
             session.query->broker().setInterrupt({});
             session.query->setObserver({});
@@ -503,7 +446,7 @@ void PlannerSession::tellWhatToTry(const std::string& name)
         OMPL_INFORM("%s: %s", name.c_str(), describe(search).c_str());
     if (report.status == "timeout" && std::isfinite(report.distanceToGoal))
         OMPL_INFORM("%s: the nearest state is %g from the goal", name.c_str(), report.distanceToGoal);
-    report.advice = advise(report, settings, query->canBeLazy(), processors_);
+    report.advice = advise(report, settings, query->canBeLazy(), workers.processors());
     OMPL_INFORM("%s: %s", name.c_str(), report.advice.c_str());
 }
 
@@ -540,15 +483,17 @@ void PlannerSession::fillReport()
     report.accuracy = counts.accuracy();
     report.coverage = counts.coverage();
     report.timeliness = counts.timeliness();
-    report.threads = executor->workers();
+    report.threads = workers.executor().workers();
     report.searches = history_.searches();
 
     const bool simulated = settings.executor == "virtual";
     report.virtualTime = simulated ? clockInSearch_ : 0.0;
     report.waitTime = counts.waitSeconds;
-    report.searchTime = simulated && !executorTrace ? 0.0 : std::max(clockInSearch_ - counts.waitSeconds, 0.0);
+    report.searchTime =
+        simulated && workers.tracer() == nullptr ? 0.0 : std::max(clockInSearch_ - counts.waitSeconds, 0.0);
     report.sequentialTime = counts.usedSeconds + report.searchTime;
-    report.speedup = executor->runsInline() || !(clockInSearch_ > 0.0) ? 1.0 : report.sequentialTime / clockInSearch_;
+    report.speedup =
+        workers.executor().runsInline() || !(clockInSearch_ > 0.0) ? 1.0 : report.sequentialTime / clockInSearch_;
     report.efficiency = report.speedup / report.threads;
 }
 

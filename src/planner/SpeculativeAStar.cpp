@@ -112,7 +112,7 @@ ob::PlannerStatus SpeculativeAStar::solve(const ob::PlannerTerminationCondition&
 {
     ob::Planner::checkValidity();
     const double start = validity::steadySeconds();
-    const validity::BudgetSeat seat(session_->openShare());
+    const validity::BudgetSeat seat(session_->workers.openShare());
     ob::PlannerStatus status;
     std::exception_ptr failure;
     session_->report.error.clear();
@@ -136,8 +136,8 @@ ob::PlannerStatus SpeculativeAStar::solve(const ob::PlannerTerminationCondition&
     session_->report.wallTime += validity::steadySeconds() - start;
     if (session_->query && session_->query->isSearching())
         session_->fillReport();
-    if (session_->tracer)
-        session_->tracer->absorb();
+    if (planner::TracingChecker* tracer = session_->workers.tracer())
+        tracer->absorb();
     if (failure && session_->settings.rethrowExceptions)
         std::rethrow_exception(failure);
     return status;
@@ -182,13 +182,13 @@ void SpeculativeAStar::setSettings(const PlannerSettings& settings)
 
 void SpeculativeAStar::setStateValidityCheckerAllocator(StateValidityCheckerAllocator allocator)
 {
-    session_->checkerAllocator = std::move(allocator);
+    session_->workers.checkerAllocator = std::move(allocator);
     session_->sourcesChanged = true;
 }
 
 void SpeculativeAStar::setMotionValidatorAllocator(MotionValidatorAllocator allocator)
 {
-    session_->motionValidatorAllocator = std::move(allocator);
+    session_->workers.motionValidatorAllocator = std::move(allocator);
     session_->sourcesChanged = true;
 }
 
@@ -212,7 +212,7 @@ void SpeculativeAStar::setLatticeAxes(const LatticeAxes& axes)
 
 void SpeculativeAStar::setThreadBudget(std::shared_ptr<ThreadBudget> budget)
 {
-    session_->budget = std::move(budget);
+    session_->workers.budget = std::move(budget);
     session_->sourcesChanged = true;
 }
 
@@ -262,16 +262,16 @@ void SpeculativeAStar::visitStates(const std::function<void(const ob::State*, St
 
 void SpeculativeAStar::setCheckTrace(std::shared_ptr<planner::CheckTrace> trace)
 {
-    session_->trace = std::move(trace);
+    session_->workers.trace = std::move(trace);
     session_->sourcesChanged = true;
 }
 
 void SpeculativeAStar::visitChecks(const std::function<void(const CheckRun&)>& visit) const
 {
-    if (!session_->query || !session_->tracer)
+    if (!session_->query || session_->workers.tracer() == nullptr)
         return;
     const planner::LatticeQuery& query = *session_->query;
-    const std::vector<planner::TracingChecker::Note> notes = session_->tracer->notes();
+    const std::vector<planner::TracingChecker::Note> notes = session_->workers.tracer()->notes();
     for (const planner::TracingChecker::Note& note : notes)
     {
         CheckRun run{nullptr,

@@ -17,16 +17,13 @@
 
 #include "specplan/planner/BestPath.h"
 #include "specplan/planner/LatticeQuery.h"
-#include "specplan/planner/OmplChecker.h"
 #include "specplan/planner/Origins.h"
 #include "specplan/planner/PathProof.h"
 #include "specplan/planner/QueryInputs.h"
 #include "specplan/planner/Schedule.h"
 #include "specplan/planner/SearchHistory.h"
 #include "specplan/planner/SpeculativeAStar.h"
-#include "specplan/planner/TracingChecker.h"
-#include "specplan/validity/BudgetShare.h"
-#include "specplan/validity/Executor.h"
+#include "specplan/planner/Workers.h"
 
 namespace specplan::planner
 {
@@ -47,9 +44,6 @@ public:
 
     /// Starts threads ahead of the first search.
     void prepare();
-
-    /// What the planner has of its budget; empty if it has none.
-    [[nodiscard]] std::shared_ptr<validity::BudgetShare> openShare();
 
     /// Forgets everything but the settings.
     void reset();
@@ -73,21 +67,9 @@ public:
 
     const ompl::base::SpaceInformationPtr si;
     PlannerSettings settings;
-    SpeculativeAStar::StateValidityCheckerAllocator checkerAllocator;
-    SpeculativeAStar::MotionValidatorAllocator motionValidatorAllocator;
-    std::shared_ptr<ThreadBudget> budget;  ///< shared with other planners; empty for none
-    SpaceHooks hooks;                      ///< a change has to drop the query
+    SpaceHooks hooks;  ///< a change has to drop the query
     std::function<void(const ompl::base::State*)> observer;
-    std::shared_ptr<CheckTrace> trace;  ///< of what checks find and how long they take; empty for none
-
-    // Order matters: the executor's threads end before the checker they use.
-    std::unique_ptr<OmplChecker> checker;
-    std::unique_ptr<TracingChecker> tracer;        ///< before the checker, if there is a trace
-    std::shared_ptr<validity::BudgetShare> share;  ///< of the budget
-    std::unique_ptr<validity::Executor> executor;
-    PlannerSettings executorSettings;
-    std::shared_ptr<CheckTrace> executorTrace;
-    std::shared_ptr<validity::BudgetShare> executorShare;
+    Workers workers;  ///< before the query, which uses them to its end
     std::unique_ptr<LatticeQuery> query;
     PlannerSettings querySettings;
     Origins origins;
@@ -111,8 +93,6 @@ private:
         std::uint64_t orderHash = 0;
     };
 
-    void ensureExecutor();
-    [[nodiscard]] OmplChecker::Sources makeSources() const;
     void requireWholeStates();
     void takeStarts(const ompl::base::ProblemDefinition& pdef, const ompl::base::PlannerTerminationCondition& ptc);
     [[nodiscard]] bool takeGoals(const ompl::base::Goal& goal, const ompl::base::PlannerTerminationCondition& ptc);
@@ -140,7 +120,6 @@ private:
     [[nodiscard]] std::uint64_t expansions() const;
     [[nodiscard]] std::uint64_t orderHash() const;
 
-    const unsigned processors_;  ///< that there are for this process
     QueryInputs inputs_;
     bool inputsChanged_ = false;   ///< starts or goals have come that the search was not begun with
     std::size_t sampleLimit_ = 0;  ///< samples to be taken from a goal region so far
