@@ -1,4 +1,5 @@
 # Builds the source tree as ROS does, the core alone to be quick, and looks at what an overlay would see.
+cmake_minimum_required(VERSION 3.22...3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/Run.cmake")
 
 file(REMOVE_RECURSE "${WORK_DIR}")

@@ -1,4 +1,5 @@
 # Makes Debian packages of what was built, unpacks them into an empty folder, runs the command from there and builds a user's program.
+cmake_minimum_required(VERSION 3.22...3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/Run.cmake")
 
 file(REMOVE_RECURSE "${WORK_DIR}")

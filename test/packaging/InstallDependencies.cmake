@@ -1,4 +1,5 @@
 # scripts/install-dependencies on machines of our making: dpkg-query, apt-get and the rest are scripts that look into a folder.
+cmake_minimum_required(VERSION 3.22...3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/Run.cmake")
 
 set(bin "${WORK_DIR}/bin")
