@@ -1,6 +1,6 @@
 # Installs specplan into a staging folder, then configures, builds and runs projects against it as users would.
-cmake_minimum_required(VERSION 3.22...3.25)
 # Staging through DESTDIR and using the result from where it lies shows that the package is relocatable too.
+cmake_minimum_required(VERSION 3.22...3.25)
 set(source_dir "${CMAKE_CURRENT_LIST_DIR}")
 include("${source_dir}/../packaging/Run.cmake")
 
