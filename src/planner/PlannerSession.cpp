@@ -351,6 +351,8 @@ SearchStatus PlannerSession::search(const ob::Goal& goal, const ob::PlannerTermi
         if (added)
             query->goalsChanged();
         isTorn_ = false;
+        if (!added && !exhausted && ptc())
+            return SearchStatus::Stopped;  // what has come up is left for the next call
         if (!added && exhausted)
             return ptc() && (inputs_.hasGoal() || inputs_.mayGetGoals()) ? SearchStatus::Stopped : end;
     }

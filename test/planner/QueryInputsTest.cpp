@@ -342,6 +342,25 @@ TEST(QueryInputs, NoCheckIsBegunOnceTheConditionIsTrue)
     EXPECT_EQ(goals.solve(), ob::PlannerStatus::INVALID_GOAL);
 }
 
+TEST(QueryInputs, AGoalThatCouldNotBeTakenInTimeIsTakenByTheNextCall)
+{
+    for (const unsigned threads : {1U, 4U})
+    {
+        Scene scene;
+        scene.plan(settingsFor(threads));
+        auto goal = std::make_shared<ob::GoalState>(scene.setup.getSpaceInformation());
+        goal->setState(scene.state({0.9, 0.9}));
+        goal->setThreshold(0.01);  // a region: searched for even before the state is known
+        scene.setup.setGoal(goal);
+        EXPECT_NE(scene.solve(ob::plannerAlwaysTerminatingCondition()), ob::PlannerStatus::EXACT_SOLUTION);
+        int asked = 0;
+        EXPECT_NE(scene.solve(ob::PlannerTerminationCondition([&asked] { return ++asked > 3; })),
+                  ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_EQ(scene.solve(), ob::PlannerStatus::EXACT_SOLUTION);
+        EXPECT_TRUE(goal->isSatisfied(scene.path().getStates().back()));
+    }
+}
+
 TEST(QueryInputs, ExplainSaysWhatItMisses)
 {
     Scene scene;
