@@ -106,7 +106,11 @@ std::optional<unsigned> processorsOfGroups(const std::string& selfCgroup, const 
         if (controllers.empty())  // version 2
             found = least(found, least(ofPath(root, path), ofPath(root + "/unified", path)));
         else if (names(controllers, "cpu"))
-            found = least(found, least(ofPath(root + "/cpu", path), ofPath(root + '/' + controllers, path)));
+        {
+            std::string folder = root + '/';
+            folder += controllers;
+            found = least(found, least(ofPath(root + "/cpu", path), ofPath(folder, path)));
+        }
     }
     return found;
 }
