@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 
 constexpr int kAttempts = 4;
 
-bool wallWithGap(const double* v)
+bool wallWithWideGap(const double* v)
 {
     return std::abs(v[0] - 1.0) > 0.2 || v[1] > 1.0;
 }
@@ -36,7 +36,7 @@ struct Outcome
 /// \param threads that each attempt asks for.
 Outcome attempt(const PlannerAllocator& allocator, unsigned threads, std::chrono::microseconds latency)
 {
-    Group group({{Joint::Kind::Revolute, 2.0}, {Joint::Kind::Revolute, 2.0}}, wallWithGap, latency);
+    Group group({{Joint::Kind::Revolute, 2.0}, {Joint::Kind::Revolute, 2.0}}, wallWithWideGap, latency);
     group.setup.setStartAndGoalStates(group.state({-0.5, 0.1}), group.state({1.7, 0.2}));
     std::vector<std::shared_ptr<SpeculativeAStar>> planners;
     const auto allocate = [&](const ob::SpaceInformationPtr& si)
@@ -103,7 +103,7 @@ TEST(Attempts, OneAfterTheOtherHasTheWholeBudget)
     const PlannerAllocator allocator(budget);
     for (int i = 0; i < 2; ++i)
     {
-        Group group({{Joint::Kind::Revolute, 2.0}, {Joint::Kind::Revolute, 2.0}}, wallWithGap, 500us);
+        Group group({{Joint::Kind::Revolute, 2.0}, {Joint::Kind::Revolute, 2.0}}, wallWithWideGap, 500us);
         group.setup.setStartAndGoalStates(group.state({-0.5, 0.1}), group.state({1.7, 0.2}));
         const auto planner = allocator.allocate(group.setup.getSpaceInformation(), "", {{"num_threads", "16"}});
         group.setup.setPlanner(planner);
@@ -118,7 +118,7 @@ TEST(Attempts, OneAfterTheOtherHasTheWholeBudget)
 
 TEST(Attempts, ABudgetMayChangeBetweenQueries)
 {
-    Group group({{Joint::Kind::Revolute, 2.0}, {Joint::Kind::Revolute, 2.0}}, wallWithGap, 200us);
+    Group group({{Joint::Kind::Revolute, 2.0}, {Joint::Kind::Revolute, 2.0}}, wallWithWideGap, 200us);
     PlannerSettings settings;
     settings.numThreads = 8;
     auto& planner = group.plan({-0.5, 0.1}, {1.7, 0.2}, settings);
